@@ -1,0 +1,236 @@
+//! Conversions and small steps shared by all generated types; generated code calls them.
+
+use core::fmt;
+
+use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
+use crate::{Field, Real, Scalar};
+
+/// The type of `a.project(b)`.
+pub type Projection<A, B> =
+    <<A as LeftContract<B>>::Output as LeftContract<<B as Inverse>::Output>>::Output;
+
+/// The type of `a.reject(b)`.
+pub type Rejection<A, B> =
+    <<A as Wedge<B>>::Output as RightContract<<B as Inverse>::Output>>::Output;
+
+/// `(a ⌋ B) B⁻¹` (2.29); the outer product is a contraction because `a ⌋ B` lies in `B`.
+#[inline]
+pub fn project<A, B>(a: A, b: B) -> Projection<A, B>
+where
+    B: Inverse + Copy,
+    A: LeftContract<B>,
+    A::Output: LeftContract<B::Output>,
+{
+    a.left_contract(b).left_contract(b.reciprocal())
+}
+
+/// `(a ∧ B) B⁻¹` (2.30); the outer product is a contraction because `B` lies in `a ∧ B`.
+#[inline]
+pub fn reject<A, B>(a: A, b: B) -> Rejection<A, B>
+where
+    B: Inverse + Copy,
+    A: Wedge<B>,
+    A::Output: RightContract<B::Output>,
+{
+    a.wedge(b).right_contract(b.reciprocal())
+}
+
+/// The part of one grade.
+#[inline]
+pub fn grade<X: Element>(x: X, grade: u32) -> X {
+    X::from_fn(|i| {
+        if X::BLADES[i].0.grade() == grade {
+            x.at(i)
+        } else {
+            X::Number::ZERO
+        }
+    })
+}
+
+/// The coefficients of `wide` that `Narrow` stores; the others are dropped.
+#[inline]
+pub fn pick<Wide, Narrow>(wide: Wide) -> Narrow
+where
+    Wide: Element,
+    Narrow: Element<Number = Wide::Number>,
+{
+    Narrow::from_fn(|i| signed(Narrow::BLADES[i].1, wide.coefficient(Narrow::BLADES[i].0)))
+}
+
+/// [`pick`] with the odd grades negated.
+#[inline]
+pub fn pick_involuted<Wide, Narrow>(wide: Wide) -> Narrow
+where
+    Wide: Element,
+    Narrow: Element<Number = Wide::Number>,
+{
+    Narrow::from_fn(|i| {
+        let (blade, sign) = Narrow::BLADES[i];
+        let value = signed(sign, wide.coefficient(blade));
+        if blade.grade() % 2 == 1 {
+            -value
+        } else {
+            value
+        }
+    })
+}
+
+#[inline]
+fn signed<T: Scalar>(sign: i8, value: T) -> T {
+    if sign < 0 { -value } else { value }
+}
+
+/// A narrowing conversion would drop a coefficient that is not negligible, or the value of a
+/// fixed coefficient is another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Narrowing {
+    /// The blade whose coefficient is in the way.
+    pub blade: crate::Blade,
+}
+
+impl Narrowing {
+    /// The size against the largest coefficient up to which `TryFrom` neglects a coefficient.
+    pub const TOLERANCE: f64 = 1e-6;
+}
+
+impl fmt::Display for Narrowing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the coefficient of blade {:#b} does not fit the narrower type; convert to a type \
+             that stores it, or narrow with a larger tolerance",
+            self.blade.mask()
+        )
+    }
+}
+
+impl core::error::Error for Narrowing {}
+
+/// The narrower element, if all coefficients it does not store are within `tolerance` times
+/// the largest coefficient of zero, or of their fixed value.
+///
+/// # Errors
+/// [`Narrowing`] with the first blade that is in the way.
+///
+/// ```ignore
+/// let vector: Vector = narrow(multivector, 1e-9)?;
+/// ```
+pub fn narrow<Wide, Narrow>(wide: Wide, tolerance: Wide::Number) -> Result<Narrow, Narrowing>
+where
+    Wide: Element,
+    Narrow: Element<Number = Wide::Number>,
+    Wide::Number: Real,
+{
+    let mut bound = Wide::Number::ZERO;
+    for i in 0..Wide::BLADES.len() {
+        let size = wide.at(i).abs();
+        // The larger of the two in every lane.
+        bound = (bound + size + (bound - size).abs()) * Wide::Number::from_ratio(1, 2);
+    }
+    bound *= tolerance;
+    for (i, (blade, sign)) in Wide::BLADES.iter().enumerate() {
+        if Narrow::BLADES.iter().any(|(stored, _)| stored == blade) {
+            continue;
+        }
+        let fixed = Narrow::FIXED.iter().find(|(stored, ..)| stored == blade);
+        let expected = fixed.map_or(Wide::Number::ZERO, |(_, own, numerator, denominator)| {
+            signed(
+                own * sign,
+                Wide::Number::from_ratio(*numerator, *denominator),
+            )
+        });
+        if !(wide.at(i) - expected).abs().all_le(bound) {
+            return Err(Narrowing { blade: *blade });
+        }
+    }
+    let absent = |blade: &crate::Blade| Wide::BLADES.iter().all(|(stored, _)| stored != blade);
+    if let Some((blade, ..)) = Narrow::FIXED.iter().find(|(blade, ..)| absent(blade)) {
+        return Err(Narrowing { blade: *blade });
+    }
+    Ok(pick(wide))
+}
+
+/// The answer of `Index` for a blade that a type does not store.
+///
+/// # Panics
+/// Always, as indexing beyond a collection does.
+#[cold]
+pub fn not_stored(name: &str, blade: crate::Blade) -> ! {
+    panic!(
+        "`{name}` does not store the blade {:#b}; `get` answers with an `Option`",
+        blade.mask()
+    )
+}
+
+/// Writes an element as `1 + 2.5 e12`: coefficients of zero are left out, ones are implied.
+pub fn display<T: Scalar + fmt::Display>(
+    f: &mut fmt::Formatter<'_>,
+    fixed: &[(&str, i64, i64)],
+    free: &[(&str, T)],
+) -> fmt::Result {
+    let mut first = true;
+    for (label, numerator, denominator) in fixed {
+        separate(f, &mut first)?;
+        match (*numerator, *denominator, *label) {
+            (number, 1, "1") => write!(f, "{number}")?,
+            (1, 1, label) => write!(f, "{label}")?,
+            (number, 1, label) => write!(f, "{number} {label}")?,
+            (number, below, "1") => write!(f, "{number}/{below}")?,
+            (number, below, label) => write!(f, "{number}/{below} {label}")?,
+        }
+    }
+    for (label, value) in free {
+        if *value == T::ZERO {
+            continue;
+        }
+        separate(f, &mut first)?;
+        match *label {
+            "1" => fmt::Display::fmt(value, f)?,
+            label if *value == T::ONE => write!(f, "{label}")?,
+            label => {
+                fmt::Display::fmt(value, f)?;
+                write!(f, " {label}")?;
+            }
+        }
+    }
+    if first {
+        fmt::Display::fmt(&T::ZERO, f)
+    } else {
+        Ok(())
+    }
+}
+
+fn separate(f: &mut fmt::Formatter<'_>, first: &mut bool) -> fmt::Result {
+    if core::mem::take(first) {
+        Ok(())
+    } else {
+        f.write_str(" + ")
+    }
+}
+
+/// The norm of `R = c + X` from `c` and the scalar X², with X² handed through; `None` where
+/// R R̃ is not a positive number.
+#[inline]
+pub fn polar<T: Real>(scalar: T, square: T) -> Option<(T, T)> {
+    let norm_squared = scalar * scalar - square;
+    let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
+    (positive && norm_squared.is_finite()).then(|| (norm_squared.sqrt(), square))
+}
+
+/// The scalar part of √R and the factor of X in it, for `R = c + X`: `(R + |R|) f` with
+/// f = 1/√(2(c + |R|)).
+#[inline]
+pub fn half<T: Real>(scalar: T, square: T) -> Option<(T, T)> {
+    let (norm, square) = polar(scalar, square)?;
+    // c + |R| cancels for negative c; (c + |R|)(|R| − c) = −X² does not.
+    let sum = if scalar.all_le(T::ZERO) {
+        -square / (norm - scalar)
+    } else {
+        scalar + norm
+    };
+    let positive = T::ZERO.all_le(sum) && sum.is_invertible() && sum.is_finite();
+    positive.then(|| {
+        let factor = T::ONE / (sum + sum).sqrt();
+        (sum * factor, factor)
+    })
+}

@@ -1,0 +1,252 @@
+//! Sums, multiples and the operators, on values and on references.
+
+/// Addition and multiples. A type with fixed coefficients widens first.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! element_arithmetic {
+    ($Name:ident $Sum:ident { $($field:ident,)* } {}) => {
+        impl<T: $crate::Scalar> ::core::ops::Add for $Name<T> {
+            type Output = $Name<T>;
+            #[inline]
+            fn add(self, b: Self) -> Self {
+                $Name { $($field: self.$field + b.$field),* }
+            }
+        }
+        impl<T: $crate::Scalar> ::core::ops::Sub for $Name<T> {
+            type Output = $Name<T>;
+            #[inline]
+            fn sub(self, b: Self) -> Self {
+                $Name { $($field: self.$field - b.$field),* }
+            }
+        }
+        impl<T: $crate::Scalar> ::core::ops::Neg for $Name<T> {
+            type Output = $Name<T>;
+            #[inline]
+            fn neg(self) -> Self {
+                $Name { $($field: -self.$field),* }
+            }
+        }
+        impl<T: $crate::Scalar> $crate::ops::Geometric<T> for $Name<T> {
+            type Output = $Name<T>;
+            #[inline]
+            fn geometric(self, b: T) -> Self {
+                $Name { $($field: self.$field * b),* }
+            }
+        }
+        impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
+            type Output = $Name<T>;
+            #[inline]
+            fn quotient(self, b: T) -> Self {
+                $Name { $($field: self.$field / b),* }
+            }
+        }
+        impl<T: $crate::Scalar> ::core::ops::AddAssign for $Name<T> {
+            #[inline]
+            fn add_assign(&mut self, b: Self) {
+                $(self.$field += b.$field;)*
+            }
+        }
+        impl<T: $crate::Scalar> ::core::ops::SubAssign for $Name<T> {
+            #[inline]
+            fn sub_assign(&mut self, b: Self) {
+                $(self.$field -= b.$field;)*
+            }
+        }
+        impl<T: $crate::Scalar> ::core::ops::MulAssign<T> for $Name<T> {
+            #[inline]
+            fn mul_assign(&mut self, b: T) {
+                $(self.$field *= b;)*
+            }
+        }
+        impl<T: $crate::Field> ::core::ops::DivAssign<T> for $Name<T> {
+            #[inline]
+            fn div_assign(&mut self, b: T) {
+                $(self.$field /= b;)*
+            }
+        }
+        impl<T: $crate::Scalar> ::core::iter::Sum for $Name<T> {
+            fn sum<I: ::core::iter::Iterator<Item = Self>>(terms: I) -> Self {
+                terms.fold(Self { $($field: T::ZERO),* }, |sum, term| sum + term)
+            }
+        }
+        impl<'a, T: $crate::Scalar> ::core::iter::Sum<&'a $Name<T>> for $Name<T> {
+            fn sum<I: ::core::iter::Iterator<Item = &'a Self>>(terms: I) -> Self {
+                terms.copied().sum()
+            }
+        }
+        impl<T: $crate::Scalar> ::core::convert::From<[T; { $crate::count!($($field)*) }]> for $Name<T> {
+            #[inline]
+            fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
+                $Name { $($field),* }
+            }
+        }
+        $crate::element_arithmetic! { @references $Name $Name { $($field,)* } }
+    };
+    ($Name:ident $Sum:ident { $($field:ident,)* } { $($fixed:tt)+ }) => {
+        impl<T: $crate::Field> ::core::ops::Add for $Name<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn add(self, b: Self) -> $Sum<T> {
+                $Sum::from(self) + $Sum::from(b)
+            }
+        }
+        impl<T: $crate::Field> ::core::ops::Sub for $Name<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn sub(self, b: Self) -> $Sum<T> {
+                $Sum::from(self) - $Sum::from(b)
+            }
+        }
+        impl<T: $crate::Field> ::core::ops::Neg for $Name<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn neg(self) -> $Sum<T> {
+                -$Sum::from(self)
+            }
+        }
+        impl<T: $crate::Field> $crate::ops::Geometric<T> for $Name<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn geometric(self, b: T) -> $Sum<T> {
+                $Sum::from(self).geometric(b)
+            }
+        }
+        impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn quotient(self, b: T) -> $Sum<T> {
+                $Sum::from(self).quotient(b)
+            }
+        }
+        impl<T: $crate::Field> ::core::iter::Sum<$Name<T>> for $Sum<T> {
+            fn sum<I: ::core::iter::Iterator<Item = $Name<T>>>(terms: I) -> Self {
+                terms.map($Sum::from).sum()
+            }
+        }
+        impl<T: $crate::Scalar> ::core::convert::From<[T; { $crate::count!($($field)*) }]> for $Name<T> {
+            #[inline]
+            fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
+                $Name { $($field),* }
+            }
+        }
+        $crate::element_arithmetic! { @references $Name $Sum { $($field,)* } }
+    };
+    (@references $Name:ident $Sum:ident { $($field:ident,)* }) => {
+        impl<T: $crate::Scalar> ::core::convert::From<$Name<T>> for [T; { $crate::count!($($field)*) }] {
+            #[inline]
+            fn from(a: $Name<T>) -> Self {
+                [$(a.$field),*]
+            }
+        }
+        $crate::element_arithmetic! { @binary $Name Add add Sub sub }
+        $crate::element_arithmetic! { @number $Name $Sum f32 f64 }
+        impl<'a, T: $crate::Scalar> ::core::ops::Neg for &'a $Name<T>
+        where
+            $Name<T>: ::core::ops::Neg,
+        {
+            type Output = <$Name<T> as ::core::ops::Neg>::Output;
+            #[inline]
+            fn neg(self) -> Self::Output {
+                -*self
+            }
+        }
+    };
+    (@binary $Name:ident $($trait:ident $method:ident)*) => {$(
+        impl<'a, T: $crate::Scalar> ::core::ops::$trait<&'a $Name<T>> for $Name<T>
+        where
+            $Name<T>: ::core::ops::$trait,
+        {
+            type Output = <$Name<T> as ::core::ops::$trait>::Output;
+            #[inline]
+            fn $method(self, b: &'a $Name<T>) -> Self::Output {
+                ::core::ops::$trait::$method(self, *b)
+            }
+        }
+        impl<'a, T: $crate::Scalar> ::core::ops::$trait<$Name<T>> for &'a $Name<T>
+        where
+            $Name<T>: ::core::ops::$trait,
+        {
+            type Output = <$Name<T> as ::core::ops::$trait>::Output;
+            #[inline]
+            fn $method(self, b: $Name<T>) -> Self::Output {
+                ::core::ops::$trait::$method(*self, b)
+            }
+        }
+        impl<'a, 'b, T: $crate::Scalar> ::core::ops::$trait<&'b $Name<T>> for &'a $Name<T>
+        where
+            $Name<T>: ::core::ops::$trait,
+        {
+            type Output = <$Name<T> as ::core::ops::$trait>::Output;
+            #[inline]
+            fn $method(self, b: &'b $Name<T>) -> Self::Output {
+                ::core::ops::$trait::$method(*self, *b)
+            }
+        }
+    )*};
+    // Numbers on the left: the orphan rule wants them one by one.
+    (@number $Name:ident $Sum:ident $($number:ident)*) => {$(
+        impl ::core::ops::Mul<$Name<$number>> for $number {
+            type Output = $Sum<$number>;
+            #[inline]
+            fn mul(self, b: $Name<$number>) -> $Sum<$number> {
+                b * self
+            }
+        }
+        impl<'a> ::core::ops::Mul<&'a $Name<$number>> for $number {
+            type Output = $Sum<$number>;
+            #[inline]
+            fn mul(self, b: &'a $Name<$number>) -> $Sum<$number> {
+                *b * self
+            }
+        }
+    )*};
+}
+
+/// The operators, each a name for one product: `*` geometric, `^` outer, `|` inner,
+/// `&` regressive, `<<` left contraction, `/` quotient, `!` dual.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! element_operators {
+    ($Name:ident) => {
+        $crate::element_operators! { @binary $Name
+            Mul mul Geometric geometric,
+            BitXor bitxor Wedge wedge,
+            BitOr bitor Inner inner,
+            BitAnd bitand Regressive regressive,
+            Shl shl LeftContract left_contract,
+            Div div Quotient quotient,
+        }
+        impl<T> ::core::ops::Not for $Name<T>
+        where
+            $Name<T>: $crate::ops::Dual,
+        {
+            type Output = <$Name<T> as $crate::ops::Dual>::Output;
+            #[inline]
+            fn not(self) -> Self::Output {
+                $crate::ops::Dual::dual(self)
+            }
+        }
+    };
+    (@binary $Name:ident $($operator:ident $method:ident $product:ident $name:ident,)*) => {$(
+        impl<T, B> ::core::ops::$operator<B> for $Name<T>
+        where
+            $Name<T>: $crate::ops::$product<B>,
+        {
+            type Output = <$Name<T> as $crate::ops::$product<B>>::Output;
+            #[inline]
+            fn $method(self, b: B) -> Self::Output {
+                $crate::ops::$product::$name(self, b)
+            }
+        }
+        impl<'a, T: Copy, B> ::core::ops::$operator<B> for &'a $Name<T>
+        where
+            $Name<T>: $crate::ops::$product<B>,
+        {
+            type Output = <$Name<T> as $crate::ops::$product<B>>::Output;
+            #[inline]
+            fn $method(self, b: B) -> Self::Output {
+                $crate::ops::$product::$name(*self, b)
+            }
+        }
+    )*};
+}

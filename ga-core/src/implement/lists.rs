@@ -1,0 +1,219 @@
+//! Functions that differ only in the types they take: listed by pair instead of spelled out.
+
+/// Products that vanish identically.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! vanishing {
+    (Scalar $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
+        impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
+            type Output = Scalar<T>;
+            #[doc = "Vanishes identically for these types."]
+            #[inline]
+            fn $method(self, _: $Right<T>) -> Scalar<T> {
+                Scalar { s: T::ZERO }
+            }
+        }
+    )*};
+    (number $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
+        impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
+            type Output = T;
+            #[doc = "Vanishes identically for these types."]
+            #[inline]
+            fn $method(self, _: $Right<T>) -> T {
+                T::ZERO
+            }
+        }
+    )*};
+}
+
+/// Products that are another function: of the same operands, of the operands exchanged, or of
+/// the operands widened to the types of their parity.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! shared {
+    ($trait:ident $method:ident $Left:ident: $($kind:ident $Right:ident => $Output:ty, ($($word:ident)*) $doc:literal,)*) => {$(
+        impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
+            type Output = $Output;
+            #[doc = $doc]
+            #[inline]
+            fn $method(self, b: $Right<T>) -> $Output {
+                $crate::shared!(@$kind $method self b $($word)*)
+            }
+        }
+    )*};
+    (@same $own:ident $a:ident $b:ident $method:ident) => {
+        $a.$method($b)
+    };
+    (@swapped $own:ident $a:ident $b:ident $method:ident) => {
+        $b.$method($a)
+    };
+    (@minus_same $own:ident $a:ident $b:ident $method:ident) => {
+        -$a.$method($b)
+    };
+    (@minus_swapped $own:ident $a:ident $b:ident $method:ident) => {
+        -$b.$method($a)
+    };
+    (@reversed $own:ident $a:ident $b:ident $method:ident) => {
+        $b.$method($a).reverse()
+    };
+    (@minus_reversed $own:ident $a:ident $b:ident $method:ident) => {
+        -$b.$method($a).reverse()
+    };
+    (@number $own:ident $a:ident $b:ident $method:ident) => {
+        $a.$method($b).s
+    };
+    (@number_swapped $own:ident $a:ident $b:ident $method:ident) => {
+        $b.$method($a)
+    };
+    (@widened $own:ident $a:ident $b:ident $Left:ident $Right:ident) => {
+        $Left::from($a).$own($Right::from($b))
+    };
+}
+
+/// Narrowing conversions, the inverses of the widening ones.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! narrowing {
+    ($Name:ident: $($Wide:ident),*) => {$(
+        impl<T: $crate::Real> ::core::convert::TryFrom<$Wide<T>> for $Name<T> {
+            type Error = $crate::Narrowing;
+            /// Drops the coefficients that the type does not store; an error where one of them
+            /// is not negligible against the largest.
+            #[inline]
+            fn try_from(wide: $Wide<T>) -> ::core::result::Result<Self, $crate::Narrowing> {
+                $crate::convert::narrow(wide, T::from_f64($crate::Narrowing::TOLERANCE))
+            }
+        }
+    )*};
+}
+
+/// Inverses of types whose `X X̃` is a scalar.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! inverse {
+    ($Name:ident => $Output:ident) => {
+        impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
+            type Number = T;
+            type Output = $Output<T>;
+            #[inline]
+            fn determinant(self) -> T {
+                $crate::ops::NormSquared::norm_squared(self)
+            }
+            /// The reverse: `X⁻¹ = X̃ / (X X̃)`.
+            #[inline]
+            fn adjugate(self) -> $Output<T> {
+                $Output::from($crate::ops::Reverse::reverse(self))
+            }
+            #[inline]
+            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                adjugate * factor
+            }
+        }
+    };
+}
+
+/// Inverses by the Faddeev–LeVerrier algorithm on the whole algebra.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! general_inverse {
+    ($Name:ident => $Output:ident in $All:ident $count:literal) => {
+        impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
+            type Number = T;
+            type Output = $Output<T>;
+            #[inline]
+            fn determinant(self) -> T {
+                $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).1
+            }
+            fn adjugate(self) -> $Output<T> {
+                $crate::convert::pick(
+                    $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).0,
+                )
+            }
+            #[inline]
+            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                adjugate * factor
+            }
+        }
+    };
+}
+
+/// Exponentials by scaling and squaring.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! series_exponential {
+    ($Name:ident => $Output:ident) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
+            type Output = $Output<T>;
+            /// The exponential, by scaling and squaring its power series.
+            fn exp(self) -> $Output<T> {
+                $crate::algorithm::exponential($Output::from(self))
+            }
+        }
+    };
+}
+
+/// Quotients `a b⁻¹`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! quotients {
+    ($Left:ident: $($Right:ident),*) => {$(
+        impl<T: $crate::Field> $crate::ops::Quotient<$Right<T>> for $Left<T> {
+            type Output = <$Left<T> as $crate::ops::Geometric<<$Right<T> as $crate::ops::Inverse>::Output>>::Output;
+            #[inline]
+            fn quotient(self, b: $Right<T>) -> Self::Output {
+                $crate::ops::Geometric::geometric(self, $crate::ops::Inverse::reciprocal(b))
+            }
+        }
+    )*};
+}
+
+/// Sandwiches computed as two products, of which only the result's blades are kept.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! composed_sandwich {
+    ($Versor:ident even: $($Operand:ident => $Result:ident),*) => {$(
+        $crate::composed_sandwich! { @one $Versor $Operand $Result pick }
+    )*};
+    ($Versor:ident odd: $($Operand:ident => $Result:ident),*) => {$(
+        $crate::composed_sandwich! { @one $Versor $Operand $Result pick_involuted }
+    )*};
+    (@one $Versor:ident $Operand:ident $Result:ident $pick:ident) => {
+        impl<T: $crate::Field> $crate::ops::Sandwich<$Operand<T>> for $Versor<T> {
+            type Output = $Result<T>;
+            /// `V x̂ Ṽ` as two products, restricted to the grades of `x`.
+            #[inline]
+            fn sandwich(self, x: $Operand<T>) -> $Result<T> {
+                let back = $crate::ops::Reverse::reverse(self);
+                let image = $crate::ops::Geometric::geometric(self, x);
+                $crate::convert::$pick($crate::ops::Geometric::geometric(image, back))
+            }
+        }
+    };
+}
+
+/// Versor application by way of the sandwich.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! application {
+    ($Versor:ident unit: $($Operand:ident),*) => {$(
+        impl<T: $crate::Field> $crate::ops::Apply<$Operand<T>> for $Versor<T> {
+            type Output = <$Versor<T> as $crate::ops::Sandwich<$Operand<T>>>::Output;
+            /// The unit versor applied to `x`, `V x̂ Ṽ` (2.28).
+            #[inline]
+            fn apply(self, x: $Operand<T>) -> Self::Output {
+                $crate::ops::Sandwich::sandwich(self, x)
+            }
+        }
+    )*};
+    ($Versor:ident divided: $($Operand:ident),*) => {$(
+        impl<T: $crate::Field> $crate::ops::Apply<$Operand<T>> for $Versor<T> {
+            type Output = <$Versor<T> as $crate::ops::Sandwich<$Operand<T>>>::Output;
+            /// The versor applied to `x`, `V x̂ V⁻¹` (2.28).
+            #[inline]
+            fn apply(self, x: $Operand<T>) -> Self::Output {
+                let factor = T::ONE / $crate::ops::NormSquared::norm_squared(self);
+                $crate::ops::Sandwich::sandwich(self, x) * factor
+            }
+        }
+    )*};
+}

@@ -1,0 +1,210 @@
+//! The named methods of a type: arrays, scaling, and the products as methods without imports.
+
+/// Inherent methods.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! element_methods {
+    ($Name:ident $Sum:ident { $($field:ident $label:literal $mask:literal $sign:literal,)* }) => {
+        impl<T> $Name<T> {
+            /// The element with these coefficients, in the order of the fields.
+            #[inline]
+            pub const fn new($($field: T),*) -> Self {
+                Self { $($field),* }
+            }
+        }
+
+        impl<T: $crate::Scalar> $Name<T> {
+            /// The coefficients in the order of the fields.
+            #[inline]
+            pub fn to_array(self) -> [T; { $crate::count!($($field)*) }] {
+                [$(self.$field),*]
+            }
+
+            /// The element with each coefficient mapped.
+            #[inline]
+            pub fn map<U: $crate::Scalar>(self, mut function: impl FnMut(T) -> U) -> $Name<U> {
+                $Name { $($field: function(self.$field)),* }
+            }
+
+            /// The part of one grade; all other coefficients become zero.
+            #[inline]
+            pub fn grade(self, grade: u32) -> $Sum<T>
+            where
+                $Sum<T>: ::core::convert::From<$Name<T>>,
+            {
+                $crate::convert::grade($Sum::from(self), grade)
+            }
+
+            /// The coefficient of a blade, if the type stores it.
+            #[inline]
+            pub fn get(&self, blade: $crate::Blade) -> ::core::option::Option<T> {
+                let stored = <Self as $crate::ops::Element>::BLADES;
+                stored
+                    .iter()
+                    .any(|(own, _)| *own == blade)
+                    .then(|| $crate::ops::Element::coefficient(self, blade))
+            }
+
+            /// The norm `√|⟨X X̃⟩|` (2.21).
+            #[inline]
+            pub fn norm(self) -> T
+            where
+                T: $crate::Real,
+                Self: $crate::ops::NormSquared<Output = T>,
+            {
+                $crate::ops::norm(self)
+            }
+
+            /// The element over its norm; `None` where the norm is zero or not finite.
+            #[inline]
+            pub fn normalized(self) -> ::core::option::Option<$Sum<T>>
+            where
+                T: $crate::Real,
+                Self: $crate::ops::NormSquared<Output = T>,
+                $Sum<T>: ::core::convert::From<$Name<T>>,
+            {
+                let norm = self.norm();
+                (norm.is_invertible() && norm.is_finite())
+                    .then(|| $Sum::from(self) * (T::ONE / norm))
+            }
+
+            /// The inverse; `None` where there is none.
+            #[inline]
+            pub fn inverse(self) -> ::core::option::Option<<Self as $crate::ops::Inverse>::Output>
+            where
+                Self: $crate::ops::Inverse,
+            {
+                $crate::ops::Inverse::inverse(self)
+            }
+
+            /// The principal logarithm; `None` where no real one exists or it is not unique.
+            #[inline]
+            pub fn log(self) -> ::core::option::Option<<Self as $crate::ops::Logarithm>::Output>
+            where
+                Self: $crate::ops::Logarithm,
+            {
+                $crate::ops::Logarithm::log(self)
+            }
+
+            /// The principal square root; `None` where no real one exists or it is not unique.
+            #[inline]
+            pub fn sqrt(self) -> ::core::option::Option<<Self as $crate::ops::SquareRoot>::Output>
+            where
+                Self: $crate::ops::SquareRoot,
+            {
+                $crate::ops::SquareRoot::sqrt(self)
+            }
+
+            /// The orthogonal projection `(a ⌋ B) B⁻¹` onto `b` (2.29); non-finite where `b` has
+            /// no inverse.
+            #[inline]
+            pub fn project<B>(self, b: B) -> $crate::convert::Projection<Self, B>
+            where
+                B: $crate::ops::Inverse + Copy,
+                Self: $crate::ops::LeftContract<B>,
+                <Self as $crate::ops::LeftContract<B>>::Output:
+                    $crate::ops::LeftContract<<B as $crate::ops::Inverse>::Output>,
+            {
+                $crate::convert::project(self, b)
+            }
+
+            /// The orthogonal rejection `(a ∧ B) B⁻¹` from `b` (2.30); non-finite where `b` has
+            /// no inverse.
+            #[inline]
+            pub fn reject<B>(self, b: B) -> $crate::convert::Rejection<Self, B>
+            where
+                B: $crate::ops::Inverse + Copy,
+                Self: $crate::ops::Wedge<B>,
+                <Self as $crate::ops::Wedge<B>>::Output:
+                    $crate::ops::RightContract<<B as $crate::ops::Inverse>::Output>,
+            {
+                $crate::convert::reject(self, b)
+            }
+        }
+
+        $crate::element_methods! { @binary $Name
+            /// The geometric product `a b`.
+            Geometric geometric
+            /// The outer product `a ∧ b`.
+            Wedge wedge
+            /// The left contraction `a ⌋ b`.
+            LeftContract left_contract
+            /// The right contraction `a ⌊ b`.
+            RightContract right_contract
+            /// The inner product `a · b` of (2.71).
+            Inner inner
+            /// The scalar product `⟨a b⟩`.
+            ScalarProduct scalar_product
+            /// The regressive product `a ∨ b`.
+            Regressive regressive
+            /// The commutator product `(ab − ba)/2`.
+            Commutator commutator
+            /// The anticommutator product `(ab + ba)/2`.
+            Anticommutator anticommutator
+            /// The quotient `a b⁻¹`; non-finite where `b` has no inverse.
+            Quotient quotient
+            /// The sandwich `V x̂ Ṽ` with this element as `V`.
+            Sandwich sandwich
+            /// The versor applied to `b`, `V x̂ V⁻¹` (2.28).
+            Apply apply
+        }
+
+        $crate::element_methods! { @unary $Name
+            /// The reverse.
+            Reverse reverse
+            /// The grade involution.
+            Involute involute
+            /// The Clifford conjugate.
+            Conjugate conjugate
+            /// The dual `A I⁻¹`.
+            Dual dual
+            /// The inverse of the dual, `A I`.
+            Undual undual
+            /// The left complement.
+            LeftComplement left_complement
+            /// The right complement.
+            RightComplement right_complement
+            /// The squared norm `⟨X X̃⟩` with its sign.
+            NormSquared norm_squared
+            /// The exponential.
+            Exponential exp
+        }
+    };
+    (@binary $Name:ident $($(#[$doc:meta])* $trait:ident $method:ident)*) => {
+        impl<T> $Name<T> {
+            $(
+                $(#[$doc])*
+                #[inline]
+                pub fn $method<B>(self, b: B) -> <Self as $crate::ops::$trait<B>>::Output
+                where
+                    Self: $crate::ops::$trait<B>,
+                {
+                    $crate::ops::$trait::$method(self, b)
+                }
+            )*
+        }
+    };
+    (@unary $Name:ident $($(#[$doc:meta])* $trait:ident $method:ident)*) => {
+        impl<T> $Name<T> {
+            $(
+                $(#[$doc])*
+                #[inline]
+                pub fn $method(self) -> <Self as $crate::ops::$trait>::Output
+                where
+                    Self: $crate::ops::$trait,
+                {
+                    $crate::ops::$trait::$method(self)
+                }
+            )*
+        }
+    };
+}
+
+/// The number of identifiers.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! count {
+    ($($name:ident)*) => {
+        <[&str]>::len(&[$(stringify!($name)),*])
+    };
+}

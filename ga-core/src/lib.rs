@@ -1,0 +1,31 @@
+//! The mathematics of basis blades: metrics, products, duals and the numbers they are computed
+//! in, without any geometry.
+
+#![no_std]
+
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
+pub mod algorithm;
+mod blade;
+pub mod convert;
+pub mod dense;
+pub mod dual;
+mod implement;
+mod involution;
+mod metric;
+pub mod ops;
+pub mod product;
+mod rational;
+mod scalar;
+pub mod table;
+
+pub use blade::{Blade, reorder_sign};
+pub use convert::Narrowing;
+pub use involution::Involution;
+pub use metric::{Metric, MetricError};
+pub use ops::Element;
+pub use product::Product;
+pub use rational::Rational;
+pub use scalar::{Dual, Field, Real, Scalar};

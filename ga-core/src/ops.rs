@@ -1,0 +1,197 @@
+//! The traits that generated types implement and that generic code is written against.
+//!
+//! ```
+//! use ga_core::ops::{Geometric, Wedge};
+//!
+//! /// The area spanned by two elements, whatever algebra they are from.
+//! fn span<A: Wedge<B>, B>(a: A, b: B) -> A::Output {
+//!     a.wedge(b)
+//! }
+//! ```
+
+use crate::{Blade, Field, Real, Scalar};
+
+/// A generated type: a list of coefficients, each belonging to a signed basis blade.
+pub trait Element: Copy + PartialEq {
+    /// The type of the coefficients.
+    type Number: Scalar;
+
+    /// The blades of the stored coefficients in their order, as bitmask and the sign that the
+    /// spelling has against the increasing order (−1 for `e31`).
+    const BLADES: &'static [(Blade, i8)];
+    /// The blades whose coefficients are fixed, with sign, numerator and denominator.
+    const FIXED: &'static [(Blade, i8, i64, i64)];
+    /// The labels of the stored coefficients, `1` for the scalar.
+    const LABELS: &'static [&'static str];
+
+    /// The stored coefficient at a position of [`BLADES`](Element::BLADES); zero beyond.
+    fn at(&self, position: usize) -> Self::Number;
+
+    /// The element whose stored coefficient at each position is given by a function.
+    fn from_fn(coefficient: impl FnMut(usize) -> Self::Number) -> Self;
+
+    /// The stored coefficient of a blade in the increasing order of its vectors; zero for a
+    /// blade that the type does not store.
+    fn coefficient(&self, blade: Blade) -> Self::Number {
+        match Self::BLADES.iter().position(|(stored, _)| *stored == blade) {
+            Some(position) if Self::BLADES[position].1 < 0 => -self.at(position),
+            Some(position) => self.at(position),
+            None => Self::Number::ZERO,
+        }
+    }
+}
+
+macro_rules! products {
+    ($($(#[$doc:meta])* $name:ident $method:ident)*) => {$(
+        $(#[$doc])*
+        #[diagnostic::on_unimplemented(
+            message = "no declared type holds the `{Self}`–`{B}` product of this name",
+            label = "this product is not generated",
+            note = "declare a type that holds the result, or list the product in `products {{ … }}`"
+        )]
+        pub trait $name<B = Self> {
+            /// The smallest declared type that holds the result.
+            type Output;
+            /// The product of `self` and `b`.
+            fn $method(self, b: B) -> Self::Output;
+        }
+    )*};
+}
+
+products! {
+    /// The geometric product `a b`, operator `*`; also the product with a number.
+    Geometric geometric
+    /// The outer product `a ∧ b`, operator `^`.
+    Wedge wedge
+    /// The left contraction `a ⌋ b`, operator `<<`.
+    LeftContract left_contract
+    /// The right contraction `a ⌊ b`.
+    RightContract right_contract
+    /// The inner product `a · b` of (2.71), operator `|`.
+    Inner inner
+    /// The scalar product `⟨a b⟩`.
+    ScalarProduct scalar_product
+    /// The regressive product `a ∨ b`, operator `&`.
+    Regressive regressive
+    /// The commutator product `(ab − ba)/2`.
+    Commutator commutator
+    /// The anticommutator product `(ab + ba)/2`.
+    Anticommutator anticommutator
+    /// Division, operator `/`: `a b⁻¹`; non-finite where `b` has no inverse, as in floats.
+    Quotient quotient
+}
+
+/// The sandwich `V x̂ Ṽ`: (2.28) times the squared norm of `V`, by ring operations alone.
+pub trait Sandwich<X> {
+    /// The type of the result, the operand's own where that holds it.
+    type Output;
+    /// `V x̂ Ṽ`, with the grade involution of `x` for odd `V`.
+    fn sandwich(self, x: X) -> Self::Output;
+}
+
+/// Versor application `V x̂ V⁻¹` (2.28), written R\[X\] in the dissertation.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no versor for `{X}`",
+    note = "versors are types of even blades only or of odd blades only"
+)]
+pub trait Apply<X> {
+    /// The type of the result, the operand's own where that holds it.
+    type Output;
+    /// The image of `x` under the versor.
+    fn apply(self, x: X) -> Self::Output;
+}
+
+macro_rules! maps {
+    ($($(#[$doc:meta])* $name:ident $method:ident)*) => {$(
+        $(#[$doc])*
+        pub trait $name {
+            /// The smallest declared type that holds the result.
+            type Output;
+            /// See the trait.
+            fn $method(self) -> Self::Output;
+        }
+    )*};
+}
+
+maps! {
+    /// The reverse: factors in opposite order, sign (−1)^{k(k−1)/2} on grade k.
+    Reverse reverse
+    /// The grade involution: sign (−1)^k on grade k.
+    Involute involute
+    /// The Clifford conjugate: sign (−1)^{k(k+1)/2} on grade k.
+    Conjugate conjugate
+    /// The dual `A I⁻¹`, operator `!`; only where the pseudoscalar is invertible.
+    Dual dual
+    /// The inverse of the dual, `A I`.
+    Undual undual
+    /// The left complement: `left_complement(e) ∧ e = I`, without use of the metric.
+    LeftComplement left_complement
+    /// The right complement: `e ∧ right_complement(e) = I`, without use of the metric.
+    RightComplement right_complement
+    /// The squared norm `⟨X X̃⟩` with its sign.
+    NormSquared norm_squared
+    /// The exponential.
+    Exponential exp
+}
+
+/// Multiplicative inverses.
+pub trait Inverse: Sized {
+    /// The type of the coefficients.
+    type Number: Field;
+    /// The type of the inverse.
+    type Output: Copy;
+    /// The number that the adjugate is divided by; zero where there is no inverse.
+    fn determinant(self) -> Self::Number;
+    /// The inverse times the determinant.
+    fn adjugate(self) -> Self::Output;
+    /// The adjugate times a number.
+    fn scale(adjugate: Self::Output, factor: Self::Number) -> Self::Output;
+
+    /// The inverse, if there is one.
+    #[inline]
+    fn inverse(self) -> Option<Self::Output>
+    where
+        Self: Copy,
+    {
+        let determinant = self.determinant();
+        determinant
+            .is_invertible()
+            .then(|| Self::scale(self.adjugate(), <Self::Number as Scalar>::ONE / determinant))
+    }
+
+    /// The inverse without the question whether it exists; non-finite where it does not.
+    #[inline]
+    fn reciprocal(self) -> Self::Output
+    where
+        Self: Copy,
+    {
+        let factor = <Self::Number as Scalar>::ONE / self.determinant();
+        Self::scale(self.adjugate(), factor)
+    }
+}
+
+/// Logarithms of versors.
+pub trait Logarithm {
+    /// The type of the generator.
+    type Output;
+    /// The principal logarithm of the versor over its norm; `None` where there is no real one
+    /// or it is not unique.
+    fn log(self) -> Option<Self::Output>;
+}
+
+/// Square roots of versors.
+pub trait SquareRoot: Sized {
+    /// The type of the root.
+    type Output;
+    /// The principal square root; `None` where there is no real one or it is not unique.
+    fn sqrt(self) -> Option<Self::Output>;
+}
+
+/// The norm `√|⟨X X̃⟩|`.
+#[inline]
+pub fn norm<X: NormSquared>(x: X) -> X::Output
+where
+    X::Output: Real,
+{
+    x.norm_squared().abs().sqrt()
+}

@@ -1,0 +1,101 @@
+//! The numbers that coefficients are made of: ring, field and real operations.
+
+mod dual_number;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod elementary;
+mod exact;
+mod float;
+#[cfg(feature = "wide")]
+mod lanes;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod real;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+pub use dual_number::Dual;
+
+/// A commutative ring: what sums and products of multivectors need.
+///
+/// Implemented for `f32`, `f64`, `i64`, exact rationals (`Ratio<i64>`, `Ratio<i128>`),
+/// SIMD lanes (`wide`, feature `wide`) and [`Dual`] numbers.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + 'static
+{
+    /// The neutral element of addition.
+    const ZERO: Self;
+    /// The neutral element of multiplication.
+    const ONE: Self;
+
+    /// The integer `n` as an element of the ring, rounded as the ring rounds.
+    fn from_integer(n: i64) -> Self;
+}
+
+/// A [`Scalar`] that divides: what inverses and metrics with fractional entries need.
+///
+/// Division by zero follows the type: floats give infinities, exact rationals panic as
+/// integers do. Code that must not meet it asks [`is_invertible`](Field::is_invertible) first.
+pub trait Field: Scalar + Div<Output = Self> + DivAssign {
+    /// Whether `1 / self` exists; on lanes, whether it exists in every lane.
+    fn is_invertible(self) -> bool;
+
+    /// The fraction `numerator / denominator`.
+    fn from_ratio(numerator: i64, denominator: i64) -> Self {
+        Self::from_integer(numerator) / Self::from_integer(denominator)
+    }
+}
+
+/// A [`Field`] with roots and transcendental functions: what norms, exponentials and
+/// logarithms need.
+///
+/// A predicate on lanes holds when it holds in every lane. Floats and lanes of them are real
+/// numbers with the feature `std` or `libm`.
+pub trait Real: Field {
+    /// The circle constant π.
+    const PI: Self;
+
+    /// A value given in double precision, rounded to this type.
+    fn from_f64(value: f64) -> Self;
+    /// The absolute value.
+    fn abs(self) -> Self;
+    /// The square root; of a negative value not a number, as in `f64`.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the point (`x`, `self`) in radians, in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+    /// The exponential function.
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+
+    /// The entire functions `C(a) = cosh √a` and `S(a) = sinh √a / √a`, continued to negative
+    /// `a` as `cos √−a` and `sin √−a / √−a`, so that `exp B = C(B²) + S(B²) B` for every
+    /// bivector whose square is a scalar (2.62). Smooth at zero, where both are 1.
+    fn cosh_sinhc(self) -> (Self, Self);
+
+    /// The factor `f` for which `log(c + X) = f X`, given the scalar part `c` = `self` and
+    /// `square` = X², where c² − X² = 1 (2.69 with the sign of `c` respected).
+    ///
+    /// `None` where no real logarithm exists: `c < 0` with `square ≥ 0`, or an input that is
+    /// not finite. For lanes all lanes must exist.
+    fn log_factor(self, square: Self) -> Option<Self>;
+
+    /// Whether every lane is a finite number.
+    fn is_finite(self) -> bool;
+    /// Whether `self ≤ other` in every lane.
+    fn all_le(self, other: Self) -> bool;
+    /// Lane by lane: `then` where `self ≤ bound`, `otherwise` elsewhere.
+    fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self;
+}

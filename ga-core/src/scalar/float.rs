@@ -1,0 +1,26 @@
+//! Floating-point numbers as a ring and a field.
+
+use super::{Field, Scalar};
+
+macro_rules! float {
+    ($float:ident) => {
+        impl Scalar for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+
+            fn from_integer(n: i64) -> Self {
+                n as $float
+            }
+        }
+
+        /// Zero, numbers whose reciprocal overflows, and what is not finite are not invertible.
+        impl Field for $float {
+            fn is_invertible(self) -> bool {
+                self.is_finite() && self.recip().is_finite()
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);
