@@ -1,0 +1,45 @@
+//! The smallest declared type that holds a result.
+
+use ga_core::Rational;
+
+use crate::model::{Model, Type};
+use crate::poly::{Element, Poly};
+
+/// Whether every value of the element is a value of the type, fixed coefficients included.
+pub fn holds(kind: &Type, element: &Element) -> bool {
+    let all_stored = element.keys().all(|mask| kind.slot(*mask).is_some());
+    let fixed_agree = kind.slots.iter().all(|slot| match slot.fixed {
+        None => true,
+        Some(value) => {
+            let canonical = value * Rational::from_integer(i128::from(slot.sign));
+            element.get(&slot.mask).and_then(Poly::as_constant) == Some(canonical)
+        }
+    });
+    all_stored && fixed_agree
+}
+
+/// The type with the fewest fields that holds the element; of equals the one declared first.
+pub fn smallest(model: &Model, element: &Element) -> Option<usize> {
+    (0..model.types.len())
+        .filter(|&i| holds(&model.types[i], element))
+        .min_by_key(|&i| model.types[i].field_count())
+}
+
+/// The type that sums and multiples of a type belong to: itself, or the smallest without the
+/// fixed coefficients.
+pub fn sum_type(model: &Model, index: usize) -> Option<usize> {
+    let kind = &model.types[index];
+    if !kind.has_fixed() {
+        return Some(index);
+    }
+    let holds_all = |other: &Type| {
+        !other.has_fixed()
+            && kind
+                .slots
+                .iter()
+                .all(|slot| other.slot(slot.mask).is_some())
+    };
+    (0..model.types.len())
+        .filter(|&i| holds_all(&model.types[i]))
+        .min_by_key(|&i| model.types[i].field_count())
+}

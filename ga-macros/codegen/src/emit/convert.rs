@@ -1,0 +1,77 @@
+//! Conversions between types: widening that cannot fail, narrowing with a tolerance.
+
+use std::fmt::Write;
+
+use super::Generator;
+use super::expression::{Names, code};
+use crate::closure;
+use crate::factor::Kernel;
+use crate::poly::{Element, Poly};
+
+impl Generator<'_> {
+    /// The fields of a type that hold an element, each in the orientation as spelled.
+    pub fn onto_fields(&self, index: usize, element: &Element) -> Vec<Poly> {
+        let sign = |sign: i32| ga_core::Rational::from_integer(i128::from(sign));
+        self.kind(index)
+            .fields()
+            .map(|slot| match element.get(&slot.mask) {
+                Some(poly) => poly.scaled(&sign(slot.sign)),
+                None => Poly::default(),
+            })
+            .collect()
+    }
+}
+
+/// Emits `From` for every pair in which the second type holds all values of the first, and
+/// `TryFrom` the other way.
+pub fn conversions(generator: &mut Generator<'_>) {
+    let mut source = String::new();
+    let count = generator.model.types.len();
+    for a in 0..count {
+        let element = &generator.general[a][0];
+        let from = generator.name(a);
+        let names = Names::new(generator.kind(a), None);
+        let mut narrower = Vec::new();
+        for b in (0..count).filter(|&b| b != a) {
+            if closure::holds(generator.kind(b), element) {
+                let kernel = Kernel::expanded(generator.onto_fields(b, element));
+                let fields: Vec<String> = generator
+                    .kind(b)
+                    .fields()
+                    .zip(&kernel.outputs)
+                    .map(|(slot, poly)| {
+                        format!(
+                            "{}: {}",
+                            slot.field,
+                            code(poly, &names).replace("self.", "a.")
+                        )
+                    })
+                    .collect();
+                let into = generator.name(b);
+                let bound = if super::expression::is_integral(&kernel) {
+                    "Number"
+                } else {
+                    "Field"
+                };
+                let _ = writeln!(
+                    source,
+                    "impl<T: {bound}> From<{from}<T>> for {into}<T> {{ #[inline] \
+                     fn from(a: {from}<T>) -> Self {{ {into} {{ {} }} }} }}",
+                    fields.join(", ")
+                );
+                let back = closure::holds(generator.kind(a), &generator.general[b][0]);
+                if !back {
+                    narrower.push(into);
+                }
+            }
+        }
+        if !narrower.is_empty() {
+            let _ = writeln!(
+                source,
+                "algebra::narrowing! {{ {from}: {} }}",
+                narrower.join(", ")
+            );
+        }
+    }
+    generator.source.push_str(&source);
+}

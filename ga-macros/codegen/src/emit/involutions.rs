@@ -1,0 +1,148 @@
+//! Operations of one operand that are linear: involutions, duals and complements.
+
+use std::fmt::Write;
+
+use ga_core::{Blade, Involution, Rational, dual};
+
+use super::Generator;
+use super::expression::{self, Names};
+use crate::closure;
+use crate::factor::Kernel;
+use crate::ledger::Entry;
+use crate::poly::{Element, graded_signs};
+
+/// Emits the involutions and duals of every type.
+pub fn involutions(generator: &mut Generator<'_>) {
+    for a in 0..generator.model.types.len() {
+        let element = generator.general[a][0].clone();
+        for involution in Involution::ALL {
+            let image = graded_signs(&element, |grade| involution.sign(grade));
+            let (trait_name, method) = (involution.trait_name(), involution.method());
+            linear(generator, a, &image, trait_name, method, involution.doc());
+        }
+        complements(generator, a, &element);
+        if !generator.model.metric.is_degenerate() {
+            duals(generator, a, &element);
+        }
+    }
+}
+
+fn complements(generator: &mut Generator<'_>, a: usize, element: &Element) {
+    let dimension = generator.model.dimension();
+    let signed =
+        |(blade, sign): (Blade, i32)| vec![(blade, Rational::from_integer(i128::from(sign)))];
+    let right = image(element, |blade| {
+        Some(signed(dual::right_complement(dimension, blade)))
+    });
+    let left = image(element, |blade| {
+        Some(signed(dual::left_complement(dimension, blade)))
+    });
+    if let Some(right) = right {
+        let doc = "The right complement: `e ∧ right_complement(e) = I` for every basis blade.";
+        linear(
+            generator,
+            a,
+            &right,
+            "RightComplement",
+            "right_complement",
+            doc,
+        );
+    }
+    if let Some(left) = left {
+        let doc = "The left complement: `left_complement(e) ∧ e = I` for every basis blade.";
+        linear(
+            generator,
+            a,
+            &left,
+            "LeftComplement",
+            "left_complement",
+            doc,
+        );
+    }
+}
+
+fn duals(generator: &mut Generator<'_>, a: usize, element: &Element) {
+    let metric = &generator.model.metric;
+    let dual_image = image(element, |blade| dual::dual(metric, blade));
+    let undual_image = image(element, |blade| dual::undual(metric, blade));
+    if let (Some(down), Some(up)) = (dual_image, undual_image) {
+        linear(generator, a, &down, "Dual", "dual", "The dual `A I⁻¹`.");
+        linear(
+            generator,
+            a,
+            &up,
+            "Undual",
+            "undual",
+            "The inverse of the dual, `A I`.",
+        );
+    }
+}
+
+/// The image of an element under a linear map given on basis blades.
+fn image(
+    element: &Element,
+    map: impl Fn(Blade) -> Option<Vec<(Blade, Rational)>>,
+) -> Option<Element> {
+    let mut result = Element::new();
+    for (mask, poly) in element {
+        for (blade, value) in map(Blade::new(*mask))? {
+            result
+                .entry(blade.mask())
+                .or_default()
+                .add_scaled(poly, &value);
+        }
+    }
+    result.retain(|_, poly| !poly.is_zero());
+    Some(result)
+}
+
+/// Emits a linear operation, into the same type where that holds the result.
+fn linear(
+    generator: &mut Generator<'_>,
+    a: usize,
+    image: &Element,
+    trait_name: &str,
+    method: &str,
+    doc: &str,
+) {
+    let same = closure::holds(generator.kind(a), image);
+    let Some(result) = same
+        .then_some(a)
+        .or_else(|| closure::smallest(generator.model, image))
+    else {
+        return;
+    };
+    let names = Names::new(generator.kind(a), None);
+    let kernel = Kernel::expanded(generator.onto_fields(result, image));
+    generator.check(&kernel);
+    let identity = *image == generator.general[a][0] && result == a;
+    let body = if identity {
+        "self".to_owned()
+    } else {
+        expression::body(&kernel, Some(generator.kind(result)), &names)
+    };
+    let documentation =
+        expression::documentation(doc, &kernel, Some(generator.kind(result)), &names);
+    let (name, output) = (generator.name(a), generator.name(result));
+    let bound = if expression::is_integral(&kernel) {
+        "Number"
+    } else {
+        "Field"
+    };
+    let _ = writeln!(
+        generator.source,
+        "impl<T: {bound}> {trait_name} for {name}<T> {{ type Output = {output}<T>; {} #[inline] \
+         fn {method}(self) -> {output}<T> {{ {body} }} }}",
+        expression::doc(&documentation)
+    );
+    let fields = generator.kind(result).field_count();
+    let function = format!("{name}.{method}()");
+    let cost = Some(kernel.cost());
+    generator.record(Entry {
+        function,
+        result: output,
+        cost,
+        fields,
+        form: "expanded".into(),
+    });
+}

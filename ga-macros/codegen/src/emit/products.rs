@@ -1,0 +1,371 @@
+//! All products between all types: unrolled, handed on where another body is the same, or
+//! listed where they vanish.
+
+use std::fmt::Write;
+
+use ga_core::{Involution, Product, Rational};
+
+use super::Generator;
+use super::expression::{self, Names};
+use crate::closure;
+use crate::factor::Kernel;
+use crate::ledger::Entry;
+use crate::poly::{Element, Poly};
+
+/// From how many terms on a product loops over the table of the algebra.
+fn loop_from(dimension: usize) -> usize {
+    match dimension {
+        0..=5 => usize::MAX,
+        6 => 600,
+        _ => 128,
+    }
+}
+
+/// Emits every product of every ordered pair of types.
+pub fn products(generator: &mut Generator<'_>) {
+    let count = generator.model.types.len();
+    let mut loops = false;
+    for a in 0..count {
+        let mut vanishing: Vec<(Product, Vec<String>)> = Vec::new();
+        let mut shared: Vec<(Product, Vec<String>)> = Vec::new();
+        for b in 0..count {
+            for &product in &generator.model.products {
+                let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
+                let element = generator.tables.product(product, left, right);
+                if element.is_empty() {
+                    let name = generator.name(b);
+                    add(&mut vanishing, product, name);
+                    continue;
+                }
+                match emit_product(generator, product, a, b, &element) {
+                    Emitted::Nothing | Emitted::Unrolled => {}
+                    Emitted::Loop => loops = true,
+                    Emitted::Shared(entry) => add(&mut shared, product, entry),
+                }
+            }
+        }
+        let name = generator.name(a);
+        for (product, list) in shared {
+            let (trait_name, method) = (product.trait_name(), product.method());
+            let _ = writeln!(
+                generator.source,
+                "algebra::shared! {{ {trait_name} {method} {name}: {} }}",
+                list.join(" ")
+            );
+        }
+        for (product, list) in vanishing {
+            let (trait_name, method) = (product.trait_name(), product.method());
+            let result = if product == Product::ScalarProduct {
+                "number"
+            } else {
+                "Scalar"
+            };
+            let _ = writeln!(
+                generator.source,
+                "algebra::vanishing! {{ {result} {trait_name} {method} {name}: {} }}",
+                list.join(", ")
+            );
+        }
+    }
+    if loops {
+        emit_table(generator);
+    }
+}
+
+/// The result type of an element; `None` where no declared type holds it.
+fn result_type(generator: &Generator<'_>, product: Product, element: &Element) -> Option<usize> {
+    if product == Product::ScalarProduct {
+        return generator.model.type_named("Scalar");
+    }
+    closure::smallest(generator.model, element)
+}
+
+/// What became of one product of two types.
+enum Emitted {
+    /// No declared type holds it.
+    Nothing,
+    /// A function with a body of its own.
+    Unrolled,
+    /// A function that loops over the table of the algebra.
+    Loop,
+    /// An entry of the list of functions that call another one.
+    Shared(String),
+}
+
+/// Adds an entry to the list of a product.
+fn add(lists: &mut Vec<(Product, Vec<String>)>, product: Product, entry: String) {
+    match lists.iter_mut().find(|(known, _)| *known == product) {
+        Some((_, list)) => list.push(entry),
+        None => lists.push((product, vec![entry])),
+    }
+}
+
+/// Emits one product.
+fn emit_product(
+    generator: &mut Generator<'_>,
+    product: Product,
+    a: usize,
+    b: usize,
+    element: &Element,
+) -> Emitted {
+    let Some(result) = result_type(generator, product, element) else {
+        return Emitted::Nothing;
+    };
+    let names = Names::new(generator.kind(a), Some(("b", generator.kind(b))));
+    let is_number = product == Product::ScalarProduct;
+    let kernel = Kernel::expanded(generator.onto_fields(result, element));
+    generator.check(&kernel);
+    let integral = expression::is_integral(&kernel);
+    let looped = kernel.terms() > loop_from(generator.model.dimension());
+    let call = hand_on(generator, product, a, b, result, &kernel)
+        .or_else(|| widened(generator, product, a, b, result));
+    let (left, right) = (generator.name(a), generator.name(b));
+    let result_kind = (!is_number).then(|| generator.kind(result));
+    let documentation = if looped {
+        let terms = kernel.terms();
+        format!(
+            " {} A loop over the table of the geometric product: {terms} terms.",
+            product.doc()
+        )
+    } else {
+        expression::documentation(product.doc(), &kernel, result_kind, &names)
+    };
+    let output = if is_number {
+        "T".to_owned()
+    } else {
+        generator.name(result)
+    };
+    let mut entry = Entry {
+        function: format!("{left}.{}({right})", product.method()),
+        result: output.clone(),
+        cost: None,
+        fields: result_kind.map_or(1, |kind| kind.field_count()),
+        form: String::new(),
+    };
+    if let Some(call) = call.filter(|_| integral) {
+        entry.form = call.form.to_owned();
+        generator.record(entry);
+        let output = if is_number {
+            "T".to_owned()
+        } else {
+            format!("{output}<T>")
+        };
+        let text = format!(
+            "{} {right} => {output}, ({}) {documentation:?},",
+            call.form, call.words
+        );
+        return Emitted::Shared(text);
+    }
+    let body = if looped {
+        entry.form = "loop".to_owned();
+        looped_body(generator, product, result)
+    } else {
+        entry.form = kernel.form.to_owned();
+        entry.cost = Some(kernel.cost());
+        expression::body(&kernel, result_kind, &names)
+    };
+    let output = if is_number {
+        output
+    } else {
+        format!("{output}<T>")
+    };
+    let bound = if integral && !looped {
+        "Number"
+    } else {
+        "Field"
+    };
+    let (trait_name, method) = (product.trait_name(), product.method());
+    let _ = writeln!(
+        generator.source,
+        "impl<T: {bound}> {trait_name}<{right}<T>> for {left}<T> {{ type Output = {output}; {} \
+         #[inline] fn {method}(self, b: {right}<T>) -> {output} {{ {body} }} }}",
+        expression::doc(&documentation),
+    );
+    generator.record(entry);
+    if looped {
+        Emitted::Loop
+    } else {
+        Emitted::Unrolled
+    }
+}
+
+/// How a function calls another one.
+struct Call {
+    /// The arm of `ga_core::shared!` that writes the call.
+    form: &'static str,
+    /// The method, or the two types that the operands are widened to.
+    words: String,
+}
+
+/// The call of a function emitted before with the same polynomials: another product of the
+/// same operands, or of the operands exchanged, up to sign.
+fn hand_on(
+    generator: &mut Generator<'_>,
+    product: Product,
+    a: usize,
+    b: usize,
+    result: usize,
+    kernel: &Kernel,
+) -> Option<Call> {
+    if product == Product::ScalarProduct {
+        return hand_on_number(generator, a, b, result, kernel);
+    }
+    let minus = Rational::from_integer(-1);
+    let negated =
+        |polys: &[Poly]| -> Vec<Poly> { polys.iter().map(|p| p.scaled(&minus)).collect() };
+    let signed = generator.sums[result] == Some(result);
+    let same = &kernel.outputs;
+    let swapped: Vec<Poly> = same.iter().map(Poly::swapped).collect();
+    // (ba)~ = ãb̃, so exchanged blades differ by the reverse of the result, up to sign.
+    let reversed: Vec<Poly> = generator
+        .kind(result)
+        .fields()
+        .zip(&swapped)
+        .map(|(slot, poly)| {
+            let sign = Involution::Reverse.sign(slot.mask.count_ones());
+            poly.scaled(&Rational::from_integer(i128::from(sign)))
+        })
+        .collect();
+    let lookups = [
+        ("same", a, b, same.clone()),
+        ("swapped", b, a, swapped.clone()),
+        ("minus_same", a, b, negated(same)),
+        ("minus_swapped", b, a, negated(&swapped)),
+        ("minus_reversed", b, a, negated(&reversed)),
+        ("reversed", b, a, reversed),
+    ];
+    for (form, first, second, polys) in lookups {
+        if (form.starts_with("minus") || form == "reversed") && !signed {
+            continue;
+        }
+        if let Some(method) = generator.emitted.get(&(first, second, result, polys)) {
+            return Some(Call {
+                form,
+                words: (*method).to_owned(),
+            });
+        }
+    }
+    generator
+        .emitted
+        .insert((a, b, result, same.clone()), product.method());
+    None
+}
+
+/// The number in the result of another product of the same operands, or the scalar product of
+/// the operands exchanged.
+fn hand_on_number(
+    generator: &mut Generator<'_>,
+    a: usize,
+    b: usize,
+    scalar: usize,
+    kernel: &Kernel,
+) -> Option<Call> {
+    let same = &kernel.outputs;
+    if let Some(method) = generator.emitted.get(&(a, b, scalar, same.clone())) {
+        return Some(Call {
+            form: "number",
+            words: (*method).to_owned(),
+        });
+    }
+    // Numbers are no type of the algebra, so their bodies are noted beyond the last one.
+    let number = generator.model.types.len();
+    let swapped = same.iter().map(Poly::swapped).collect();
+    if let Some(method) = generator.emitted.get(&(b, a, number, swapped)) {
+        return Some(Call {
+            form: "number_swapped",
+            words: (*method).to_owned(),
+        });
+    }
+    generator.emitted.insert(
+        (a, b, number, same.clone()),
+        Product::ScalarProduct.method(),
+    );
+    None
+}
+
+/// For a pair of a small type and one of `Even`, `Odd` and `Multivector`: the product of both
+/// widened to the types of their parity, if that gives the same result type.
+fn widened(
+    generator: &Generator<'_>,
+    product: Product,
+    a: usize,
+    b: usize,
+    result: usize,
+) -> Option<Call> {
+    if !generator.model.is_complete() || product == Product::ScalarProduct {
+        return None;
+    }
+    let complete = |index: usize| {
+        let name = match generator.kind(index).parity() {
+            Some(true) => "Even",
+            Some(false) => "Odd",
+            None => "Multivector",
+        };
+        generator.model.type_named(name)
+    };
+    let (wide_a, wide_b) = (complete(a)?, complete(b)?);
+    let large = [a, b].iter().any(|&i| complete(i) == Some(i));
+    if (wide_a, wide_b) == (a, b) || !large || generator.model.dimension() < 4 {
+        return None;
+    }
+    let element = generator.tables.product(
+        product,
+        &generator.general[wide_a][0],
+        &generator.general[wide_b][1],
+    );
+    if result_type(generator, product, &element) != Some(result) {
+        return None;
+    }
+    let words = format!("{} {}", generator.name(wide_a), generator.name(wide_b));
+    Some(Call {
+        form: "widened",
+        words,
+    })
+}
+
+fn looped_body(generator: &Generator<'_>, product: Product, result: usize) -> String {
+    let number = if product == Product::ScalarProduct {
+        ".s"
+    } else {
+        ""
+    };
+    let name = generator.name(result);
+    if product == Product::Regressive {
+        let dimension = generator.model.dimension();
+        return format!("algebra::table::regressive::<_, _, {name}<T>>({dimension}, self, b)");
+    }
+    format!("TABLE.product::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){number}")
+}
+
+/// The table of the geometric product as one literal: for each pair of blades, in the order of
+/// their bitmasks, the number of terms, then blade and coefficient number of each.
+fn emit_table(generator: &mut Generator<'_>) {
+    let count = 1_u32 << generator.model.dimension();
+    let mut coefficients: Vec<Rational> = Vec::new();
+    let mut entries: Vec<u8> = Vec::new();
+    for i in 0..count {
+        for j in 0..count {
+            let row = generator.tables.blades(Product::Geometric, i, j);
+            entries.push(row.len() as u8);
+            for (mask, value) in row.iter() {
+                let number = coefficients.iter().position(|known| known == value);
+                let number = number.unwrap_or_else(|| {
+                    coefficients.push(*value);
+                    coefficients.len() - 1
+                });
+                entries.extend([*mask as u8, number as u8]);
+            }
+        }
+    }
+    let literal = proc_macro2::Literal::byte_string(&entries);
+    let numbers: Vec<String> = coefficients
+        .iter()
+        .map(|value| format!("({}, {})", value.numer(), value.denom()))
+        .collect();
+    let _ = writeln!(
+        generator.source,
+        "#[doc(hidden)] const TABLE: algebra::table::Table = algebra::table::Table::new({}, {literal}, &[{}]);",
+        generator.model.dimension(),
+        numbers.join(", ")
+    );
+}

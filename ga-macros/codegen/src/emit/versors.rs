@@ -1,0 +1,106 @@
+//! Versors: norms, inverses, sandwiches and application, exponentials, logarithms and roots.
+
+mod application;
+mod exponential;
+mod inverse;
+
+use std::fmt::Write;
+
+use ga_core::{Involution, Product};
+
+use super::Generator;
+use super::expression::{self, Names};
+use crate::factor::Kernel;
+use crate::ledger::Entry;
+use crate::poly::{Element, Poly, graded_signs};
+
+/// Emits everything that treats a type as a versor.
+pub fn versors(generator: &mut Generator<'_>) {
+    for a in 0..generator.model.types.len() {
+        norm(generator, a);
+        inverse::inverse(generator, a);
+        exponential::exponential(generator, a);
+    }
+    if generator.model.apply {
+        application::applications(generator);
+    }
+    if generator.model.products.contains(&Product::Geometric) {
+        quotients(generator);
+    }
+}
+
+/// The reverse of the general element of a type.
+fn reversed(element: &Element) -> Element {
+    graded_signs(element, |grade| Involution::Reverse.sign(grade))
+}
+
+/// `⟨X X̃⟩` as a polynomial.
+fn norm_polynomial(generator: &Generator<'_>, a: usize) -> Poly {
+    let element = &generator.general[a][0];
+    let square = generator
+        .tables
+        .product(Product::ScalarProduct, element, &reversed(element));
+    square.get(&0).cloned().unwrap_or_default()
+}
+
+/// `⟨X X̃⟩`, with its sign (2.21 as corrected).
+fn norm(generator: &mut Generator<'_>, a: usize) {
+    let poly = norm_polynomial(generator, a);
+    let names = Names::new(generator.kind(a), None);
+    let kernel = Kernel::expanded(vec![poly]);
+    generator.check(&kernel);
+    let bound = if expression::is_integral(&kernel) {
+        "Number"
+    } else {
+        "Field"
+    };
+    let body = expression::body(&kernel, None, &names);
+    let doc = "The squared norm `⟨X X̃⟩`, with its sign.";
+    let documentation = expression::documentation(doc, &kernel, None, &names);
+    let name = generator.name(a);
+    let _ = writeln!(
+        generator.source,
+        "impl<T: {bound}> NormSquared for {name}<T> {{ type Output = T; {} #[inline] \
+         fn norm_squared(self) -> T {{ {body} }} }}",
+        expression::doc(&documentation)
+    );
+    let entry = Entry {
+        function: format!("{name}.norm_squared()"),
+        result: "T".to_owned(),
+        cost: Some(kernel.cost()),
+        fields: 1,
+        form: kernel.form.to_owned(),
+    };
+    generator.record(entry);
+}
+
+/// `A / B = A B⁻¹` for every pair whose product exists.
+fn quotients(generator: &mut Generator<'_>) {
+    let count = generator.model.types.len();
+    let mut source = String::new();
+    for a in 0..count {
+        let divisors: Vec<String> = (0..count)
+            .filter(|&b| {
+                inverse::result(generator, b).is_some_and(|inverse| {
+                    let right = &generator.general[inverse][1];
+                    let product = generator.tables.product(
+                        Product::Geometric,
+                        &generator.general[a][0],
+                        right,
+                    );
+                    crate::closure::smallest(generator.model, &product).is_some()
+                })
+            })
+            .map(|b| generator.name(b))
+            .collect();
+        if !divisors.is_empty() {
+            let name = generator.name(a);
+            let _ = writeln!(
+                source,
+                "algebra::quotients! {{ {name}: {} }}",
+                divisors.join(", ")
+            );
+        }
+    }
+    generator.source.push_str(&source);
+}

@@ -1,0 +1,91 @@
+//! Straight-line kernels: which intermediate values are named, and what the result costs.
+
+use ga_core::Rational;
+use num_traits::{One, Signed};
+
+use crate::poly::{Monomial, Poly};
+
+/// A function body: temporaries first, then one polynomial per field of the result.
+///
+/// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`.
+#[derive(Clone)]
+pub struct Kernel {
+    /// Intermediate values in the order computed.
+    pub temporaries: Vec<Poly>,
+    /// The fields of the result.
+    pub outputs: Vec<Poly>,
+    /// How the kernel was derived, for the ledger.
+    pub form: &'static str,
+}
+
+/// The operand number of temporaries.
+pub const TEMPORARY: u8 = 2;
+
+/// Operation counts of a kernel. Doublings are counted with the additions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Cost {
+    /// Multiplications, doublings apart.
+    pub multiplications: usize,
+    /// Additions, subtractions and doublings.
+    pub additions: usize,
+}
+
+impl Kernel {
+    /// A kernel without temporaries.
+    pub fn expanded(outputs: Vec<Poly>) -> Kernel {
+        Kernel {
+            temporaries: Vec::new(),
+            outputs,
+            form: "expanded",
+        }
+    }
+
+    /// What the kernel costs as it is emitted.
+    pub fn cost(&self) -> Cost {
+        let mut cost = Cost::default();
+        for poly in self.temporaries.iter().chain(&self.outputs) {
+            for (factor, group) in by_factor(poly) {
+                cost.multiplications += group
+                    .iter()
+                    .map(|(monomial, _)| monomial.degree().saturating_sub(1))
+                    .sum::<usize>();
+                let variable = group.iter().any(|(monomial, _)| monomial.degree() > 0);
+                if factor == Rational::from_integer(2) && variable {
+                    cost.additions += 1;
+                } else if !factor.is_one() && variable {
+                    cost.multiplications += 1;
+                }
+            }
+            cost.additions += poly.len().saturating_sub(1);
+        }
+        cost
+    }
+
+    /// How many monomials the kernel writes.
+    pub fn terms(&self) -> usize {
+        self.temporaries
+            .iter()
+            .chain(&self.outputs)
+            .map(Poly::len)
+            .sum()
+    }
+}
+
+/// The terms of a polynomial grouped by the absolute value of their coefficient, so that a
+/// common factor is multiplied once; within a group positive terms stand first.
+pub fn by_factor(poly: &Poly) -> Vec<(Rational, Vec<(Monomial, bool)>)> {
+    let mut groups: Vec<(Rational, Vec<(Monomial, bool)>)> = Vec::new();
+    for (monomial, value) in poly.terms() {
+        let factor = value.abs();
+        let entry = (*monomial, value.is_negative());
+        match groups.iter_mut().find(|(known, _)| *known == factor) {
+            Some((_, group)) => group.push(entry),
+            None => groups.push((factor, vec![entry])),
+        }
+    }
+    for (_, group) in &mut groups {
+        group.sort_by_key(|(_, negative)| *negative);
+    }
+    groups.sort_by_key(|(_, group)| group[0].1);
+    groups
+}
