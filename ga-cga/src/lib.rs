@@ -1,0 +1,5 @@
+//! Conformal geometric algebra of Euclidean 3-space.
+
+mod algebra;
+
+pub use algebra::cga3;
