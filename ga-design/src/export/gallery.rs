@@ -1,0 +1,146 @@
+//! Decides what a gallery is: a page that works alone and offline, and a GLB and a PNG per scene.
+//!
+//! The page holds every model and thumbnail inside itself, so that it opens from a folder, a stick
+//! or a mail without a server; the files beside it are for downloading. Its address with `#name`
+//! opens the scene of that name.
+
+use super::picture::{self, Settings};
+use super::svg::escape;
+use super::{ExportError, Scene, glb, write};
+use base64::{Engine, engine::general_purpose::STANDARD};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+const PAGE: &str = include_str!("../../assets/gallery.html");
+const STYLE: &str = include_str!("../../assets/gallery.css");
+const SCRIPT: &str = include_str!("../../assets/gallery.js");
+
+/// Writes `index.html` and, for each scene, `NAME.glb` and `NAME.png` into a directory, which is made
+/// if it is not there; gives the path of the page. `before` is called with each scene before it is
+/// drawn, to show progress. The settings are those of the pictures; thumbnails are half as large.
+///
+/// All files are made before the first is put in its place.
+///
+/// # Errors
+/// [`ExportError`] if there is no scene, a name is not made of lower-case letters, digits and hyphens
+/// or is used twice, a scene is empty, or a file cannot be written.
+pub fn write_gallery(
+    scenes: &[Scene],
+    directory: &Path,
+    settings: &Settings,
+    before: impl FnMut(&Scene),
+) -> Result<PathBuf, ExportError> {
+    let mut files = encode(scenes, settings, before)?;
+    for (path, _) in &mut files {
+        *path = directory.join(&*path);
+    }
+    write::create_directory(directory)?;
+    write::write_files(&files)?;
+    Ok(directory.join("index.html"))
+}
+
+/// The files of a gallery, with paths relative to its directory; the page comes last.
+///
+/// # Errors
+/// [`ExportError`] as for [`write_gallery`].
+pub fn encode(
+    scenes: &[Scene],
+    settings: &Settings,
+    mut before: impl FnMut(&Scene),
+) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
+    if scenes.is_empty() {
+        return Err(ExportError::EmptyScene {
+            scene: "gallery".to_owned(),
+        });
+    }
+    check_names(scenes)?;
+    let mut files = Vec::with_capacity(2 * scenes.len() + 1);
+    let mut cards = String::new();
+    let mut models = String::new();
+    for scene in scenes {
+        before(scene);
+        let model = glb::encode(scene)?;
+        let image = picture::render(scene, settings)?;
+        cards += &card(scene, &STANDARD.encode(image.halved().to_png()?));
+        models += &embedded(scene, &STANDARD.encode(&model));
+        files.push((PathBuf::from(format!("{}.glb", scene.name())), model));
+        files.push((
+            PathBuf::from(format!("{}.png", scene.name())),
+            image.to_png()?,
+        ));
+    }
+    let parts = [
+        ("{{style}}", STYLE),
+        ("{{cards}}", &cards),
+        ("{{models}}", &models),
+        ("{{script}}", SCRIPT),
+    ];
+    let page = filled(PAGE, &parts);
+    files.push((PathBuf::from("index.html"), page.into_bytes()));
+    Ok(files)
+}
+
+/// Names become file names and fragments of addresses, so only characters that are plain in both.
+fn check_names(scenes: &[Scene]) -> Result<(), ExportError> {
+    let mut seen = HashSet::new();
+    for scene in scenes {
+        let name = scene.name();
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        if name.is_empty() || name.len() > 100 || name == "index" || !name.chars().all(plain) {
+            return Err(ExportError::SceneName {
+                name: name.to_owned(),
+            });
+        }
+        if !seen.insert(name) {
+            return Err(ExportError::RepeatedName {
+                name: name.to_owned(),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn card(scene: &Scene, thumbnail: &str) -> String {
+    let [name, title, caption] = [scene.name(), scene.title(), scene.caption()].map(escape);
+    format!(
+        "<li class=\"card\" id=\"card-{name}\">\n\
+         <a class=\"open\" href=\"#{name}\">\
+         <img src=\"data:image/png;base64,{thumbnail}\" alt=\"\" loading=\"lazy\">\
+         <h2>{title}</h2></a>\n\
+         <p class=\"caption\">{caption}</p>\n\
+         <p class=\"files\">\
+         <a href=\"{name}.glb\" download aria-label=\"{title} as GLB\">GLB</a> \
+         <a href=\"{name}.png\" download aria-label=\"{title} as PNG\">PNG</a></p>\n\
+         </li>\n"
+    )
+}
+
+/// The model as text inside the page; Base64 has no character that could end the element.
+fn embedded(scene: &Scene, model: &str) -> String {
+    let view = scene.view();
+    format!(
+        "<script type=\"application/octet-stream\" id=\"model-{}\" \
+         data-azimuth=\"{}\" data-elevation=\"{}\">{model}</script>\n",
+        escape(scene.name()),
+        view.azimuth,
+        view.elevation,
+    )
+}
+
+/// The template with its marks replaced; what is put in is not searched for marks again.
+fn filled(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut page = String::new();
+    let mut rest = template;
+    while let Some((start, mark, text)) = parts
+        .iter()
+        .filter_map(|&(mark, text)| Some((rest.find(mark)?, mark, text)))
+        .min_by_key(|&(start, ..)| start)
+    {
+        let (before, after) = rest.split_at(start);
+        page.push_str(before);
+        page.push_str(text);
+        rest = after.strip_prefix(mark).unwrap_or_default();
+    }
+    page.push_str(rest);
+    page
+}

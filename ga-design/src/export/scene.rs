@@ -1,0 +1,305 @@
+//! Decides what a scene is: named nodes that place shared shapes and materials, a title and a caption.
+
+use super::{ExportError, Material, Placement};
+use crate::mesh::{self, Mesh};
+
+/// A line through points, without thickness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    points: Vec<[f64; 3]>,
+    closed: bool,
+}
+
+impl Line {
+    /// The line through these points, and back to the first if it is closed.
+    ///
+    /// # Errors
+    /// [`ExportError`] if there are fewer than two points, or a coordinate is not finite or too
+    /// large.
+    pub fn new(points: Vec<[f64; 3]>, closed: bool) -> Result<Self, ExportError> {
+        if points.len() < 2 {
+            return Err(ExportError::ShortLine);
+        }
+        for &point in &points {
+            mesh::checked_point("a point of a line", point)?;
+        }
+        Ok(Self { points, closed })
+    }
+
+    /// The points, each once.
+    #[must_use]
+    pub fn points(&self) -> &[[f64; 3]] {
+        &self.points
+    }
+
+    /// Whether the last point is joined to the first.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+}
+
+/// What a node shows.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A surface.
+    Surface(Mesh),
+    /// A line.
+    Line(Line),
+}
+
+impl Shape {
+    /// The vertices or points.
+    #[must_use]
+    pub fn points(&self) -> &[[f64; 3]] {
+        match self {
+            Shape::Surface(mesh) => mesh.positions(),
+            Shape::Line(line) => line.points(),
+        }
+    }
+}
+
+impl From<Mesh> for Shape {
+    fn from(mesh: Mesh) -> Self {
+        Shape::Surface(mesh)
+    }
+}
+
+impl From<Line> for Shape {
+    fn from(line: Line) -> Self {
+        Shape::Line(line)
+    }
+}
+
+/// A shape of one scene, to be named by its nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ShapeId(pub(super) usize);
+
+/// A material of one scene, to be named by its nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct MaterialId(pub(super) usize);
+
+/// One thing in a scene: a shape, of a material, at a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// What it is called, such as an atom's label.
+    pub name: String,
+    /// What it shows.
+    pub shape: ShapeId,
+    /// How it looks.
+    pub material: MaterialId,
+    /// Where it stands.
+    pub placement: Placement,
+}
+
+/// The direction from which a scene is looked at, in radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// Angle of the eye around z, from the x axis towards y.
+    pub azimuth: f64,
+    /// Angle of the eye above the xy plane.
+    pub elevation: f64,
+}
+
+impl Default for View {
+    /// From the front right and somewhat above, the usual view of a structure.
+    fn default() -> Self {
+        Self {
+            azimuth: -1.05,
+            elevation: 0.38,
+        }
+    }
+}
+
+/// A picture's or a model's content, in the unit and the right-handed axes of the design; z is up.
+///
+/// Shapes are stored once and placed many times: the atoms of a crystal are nodes that share one
+/// sphere.
+///
+/// ```
+/// use ga_design::export::{Material, Placement, Scene};
+/// let mut scene = Scene::new("pair", "Two balls", "Both are one sphere, placed twice.");
+/// let ball = scene.add_shape("sphere", ga_design::mesh::icosphere(2)?);
+/// let red = scene.add_material(Material::new("red", [200, 40, 40]));
+/// scene.add_node("left", ball, red, Placement::at([-1.0, 0.0, 0.0])?)?;
+/// scene.add_node("right", ball, red, Placement::at([1.0, 0.0, 0.0])?)?;
+/// assert_eq!(scene.nodes().len(), 2);
+/// # Ok::<(), ga_design::export::ExportError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    name: String,
+    title: String,
+    caption: String,
+    view: View,
+    shapes: Vec<(String, Shape)>,
+    materials: Vec<Material>,
+    nodes: Vec<Node>,
+}
+
+impl Scene {
+    /// An empty scene. The name is for files and links (lower-case letters, digits and hyphens in a
+    /// gallery); title and caption are read by people.
+    #[must_use]
+    pub fn new(
+        name: impl Into<String>,
+        title: impl Into<String>,
+        caption: impl Into<String>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            title: title.into(),
+            caption: caption.into(),
+            view: View::default(),
+            shapes: Vec::new(),
+            materials: Vec::new(),
+            nodes: Vec::new(),
+        }
+    }
+
+    /// Looks at the scene from another direction.
+    ///
+    /// # Errors
+    /// [`ExportError::Number`] if an angle is not finite, or the elevation is beyond ±π/2.
+    pub fn set_view(&mut self, view: View) -> Result<(), ExportError> {
+        if !view.azimuth.is_finite() {
+            return Err(ExportError::Number {
+                what: "the azimuth of a view",
+                value: view.azimuth,
+                remedy: "it must be finite",
+            });
+        }
+        let elevations = -std::f64::consts::FRAC_PI_2..=std::f64::consts::FRAC_PI_2;
+        if !elevations.contains(&view.elevation) {
+            return Err(ExportError::Number {
+                what: "the elevation of a view",
+                value: view.elevation,
+                remedy: "it must be from −π/2 to π/2",
+            });
+        }
+        self.view = view;
+        Ok(())
+    }
+
+    /// Adds a shape that nodes may place; the name becomes the name of the mesh in the file.
+    pub fn add_shape(&mut self, name: impl Into<String>, shape: impl Into<Shape>) -> ShapeId {
+        self.shapes.push((name.into(), shape.into()));
+        ShapeId(self.shapes.len() - 1)
+    }
+
+    /// Adds a material that nodes may have.
+    pub fn add_material(&mut self, material: Material) -> MaterialId {
+        self.materials.push(material);
+        MaterialId(self.materials.len() - 1)
+    }
+
+    /// Places a shape.
+    ///
+    /// # Errors
+    /// [`ExportError`] if this scene has no such shape or material, or a placed vertex would be too
+    /// far away.
+    pub fn add_node(
+        &mut self,
+        name: impl Into<String>,
+        shape: ShapeId,
+        material: MaterialId,
+        placement: Placement,
+    ) -> Result<(), ExportError> {
+        let name = name.into();
+        let Some((_, placed)) = self.shapes.get(shape.0) else {
+            return Err(ExportError::Foreign {
+                node: name,
+                kind: "shape",
+            });
+        };
+        if material.0 >= self.materials.len() {
+            return Err(ExportError::Foreign {
+                node: name,
+                kind: "material",
+            });
+        }
+        let points = placed.points().iter().map(|&p| glam::DVec3::from(p));
+        placement.check(mesh::bounds(points).unwrap_or_default())?;
+        self.nodes.push(Node {
+            name,
+            shape,
+            material,
+            placement,
+        });
+        Ok(())
+    }
+
+    /// Adds a shape that is used once, where it is.
+    ///
+    /// # Errors
+    /// [`ExportError`] as for [`Scene::add_node`].
+    pub fn add(
+        &mut self,
+        name: &str,
+        shape: impl Into<Shape>,
+        material: MaterialId,
+    ) -> Result<(), ExportError> {
+        let shape = self.add_shape(name, shape);
+        self.add_node(name, shape, material, Placement::default())
+    }
+
+    /// The name for files and links.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The caption.
+    #[must_use]
+    pub fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    /// The direction from which it is looked at.
+    #[must_use]
+    pub fn view(&self) -> View {
+        self.view
+    }
+
+    /// The nodes.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The materials, in the order in which they were added.
+    #[must_use]
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// The shapes with their names, in the order in which they were added.
+    #[must_use]
+    pub fn shapes(&self) -> &[(String, Shape)] {
+        &self.shapes
+    }
+
+    /// The nodes with their shape and material.
+    pub fn placed(&self) -> impl Iterator<Item = (&Node, &Shape, &Material)> {
+        self.nodes.iter().filter_map(|node| {
+            let (_, shape) = self.shapes.get(node.shape.0)?;
+            Some((node, shape, self.materials.get(node.material.0)?))
+        })
+    }
+
+    /// An error if there is no node.
+    pub(super) fn check_not_empty(&self) -> Result<(), ExportError> {
+        if self.nodes.is_empty() {
+            return Err(ExportError::EmptyScene {
+                scene: self.title.clone(),
+            });
+        }
+        Ok(())
+    }
+}
