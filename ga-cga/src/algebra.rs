@@ -1,37 +1,76 @@
 //! The one declaration that the conformal model is generated from.
 
 ga_macros::define_algebra! {
-    /// Conformal geometric algebra of Euclidean 3-space.
+    /// Conformal geometric algebra of Euclidean 3-space, signature (4, 1), in the null basis.
+    ///
+    /// `no` is the point at the origin n_o = (e₋ + e₊)/2, `ni` the point at infinity
+    /// n_∞ = e₋ − e₊ (2.39), so that n_o·n_∞ = −1 and E = n_o∧n_∞ squares to 1 (2.43).
+    /// The types are the rows of Table 2.6; direct (outer-product) and dual (inner-product)
+    /// forms are different types.
     pub mod cga3: R4_1 {
         basis { e1, e2, e3, no, ni }
         metric { e1^2 = 1, e2^2 = 1, e3^2 = 1, no.ni = -1 }
         types {
+            /// A Euclidean vector **a**, relative to the origin.
             Vector3 { e1, e2, e3 }
+            /// A Euclidean bivector **B** = **a**∧**b**: a plane through the origin with an
+            /// orientation and an area.
             Bivector3 { e12, e13, e23 }
+            /// A Euclidean trivector, a multiple of the volume **I**₃.
             Trivector3 { e123 }
+            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44): a null vector.
             Point { no = 1, e1, e2, e3, ni }
+            /// A dual sphere σ = p − ½r² n_∞ (2.52) of any weight; with it every vector of the
+            /// algebra: points with a weight, dual planes, imaginary spheres.
             DualSphere { no, e1, e2, e3, ni }
+            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it.
             DualPlane { e1, e2, e3, ni }
+            /// A point pair κ = a∧b (2.47), also the dual of a circle.
             PointPair = grade 2;
+            /// A flat point p∧n_∞: where three planes meet.
             FlatPoint { e1^ni, e2^ni, e3^ni, no^ni }
+            /// A direction vector **t** n_∞, free of any place; the generator of translations.
             DirectionVector { e1^ni, e2^ni, e3^ni }
+            /// A tangent vector n_o **t** at the origin; the generator of transversions.
             TangentVector { e1^no, e2^no, e3^no }
+            /// A dual line λ = **B** + **d** n_∞; the generator of motors.
             DualLine { e12, e13, e23, e1^ni, e2^ni, e3^ni }
+            /// A multiple of the Minkowski plane E = n_o∧n_∞; the generator of dilations.
             MinkowskiPlane { no^ni }
+            /// A circle K = a∧b∧c (2.48), also the dual of a point pair.
             Circle = grade 3;
+            /// A line Λ = a∧b∧n_∞ (2.50).
             Line { e12^ni, e13^ni, e23^ni, e1^no^ni, e2^no^ni, e3^no^ni }
+            /// A direction bivector **B** n_∞.
             DirectionBivector { e12^ni, e13^ni, e23^ni }
+            /// A tangent bivector n_o **B** at the origin.
             TangentBivector { e12^no, e13^no, e23^no }
+            /// A sphere Σ = a∧b∧c∧d (2.49).
             Sphere = grade 4;
+            /// A plane Π = a∧b∧c∧n_∞ (2.51).
             Plane { e123^ni, e12^no^ni, e13^no^ni, e23^no^ni }
+            /// A direction trivector **I**₃ n_∞.
             DirectionTrivector { e123^ni }
+            /// A tangent trivector n_o **I**₃ at the origin.
             TangentTrivector { e123^no }
+            /// A multiple of the pseudoscalar I = e₁₂₃ E.
             Pseudoscalar { e123^no^ni }
-            #[unit] Rotor { 1, e12, e13, e23 }
-            #[unit] Translator { 1 = 1, e1^ni, e2^ni, e3^ni }
-            #[unit] Motor { 1, e12, e13, e23, e1^ni, e2^ni, e3^ni, e123^ni }
-            #[unit] Dilator { 1, no^ni }
-            #[unit] Transversor { 1 = 1, e1^no, e2^no, e3^no }
+            /// A rotor e^{−θB/2}: a rotation by θ in the sense of B about the origin.
+            #[unit]
+            Rotor { 1, e12, e13, e23 }
+            /// A translator 1 − ½**v** n_∞: a translation by **v**.
+            #[unit]
+            Translator { 1 = 1, e1^ni, e2^ni, e3^ni }
+            /// A motor, any rigid motion without reflection: a translator times a rotor.
+            #[unit]
+            Motor { 1, e12, e13, e23, e1^ni, e2^ni, e3^ni, e123^ni }
+            /// A dilator e^{−cE/2}: a scaling about the origin by e^{−c}.
+            #[unit]
+            Dilator { 1, no^ni }
+            /// A transversor 1 − ½**v** n_o: an inversion, a translation by **v** and the
+            /// inversion back.
+            #[unit]
+            Transversor { 1 = 1, e1^no, e2^no, e3^no }
         }
     }
 }

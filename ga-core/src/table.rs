@@ -3,7 +3,7 @@
 use crate::dual::{left_complement, right_complement};
 use crate::ops::Element;
 use crate::product::Rule;
-use crate::{Blade, Field, Product, reorder_sign};
+use crate::{Blade, Field, Product, Scalar, reorder_sign};
 
 /// The most blades of an algebra whose products loop: eight dimensions.
 const BLADES: usize = 256;
@@ -39,11 +39,38 @@ impl Table {
         R: Element<Number = A::Number>,
         A::Number: Field,
     {
+        self.product_over(product, a, b, A::Number::from_ratio)
+    }
+
+    /// [`product`](Table::product) over any ring, where no fraction takes part.
+    pub fn integral<A, B, R>(&self, product: Product, a: A, b: B) -> R
+    where
+        A: Element,
+        B: Element<Number = A::Number>,
+        R: Element<Number = A::Number>,
+    {
+        self.product_over(product, a, b, |numerator, _| {
+            A::Number::from_integer(numerator)
+        })
+    }
+
+    fn product_over<A, B, R>(
+        &self,
+        product: Product,
+        a: A,
+        b: B,
+        number: impl Fn(i64, i64) -> A::Number,
+    ) -> R
+    where
+        A: Element,
+        B: Element<Number = A::Number>,
+        R: Element<Number = A::Number>,
+    {
+        let (left, right) = (spread(&a, &number), spread(&b, &number));
         let Rule::Grades(keep) = product.row().rule else {
-            return regressive(self.dimension as usize, a, b);
+            return gather(&regressive(self.dimension as usize, &left, &right));
         };
-        let zero = <A::Number as crate::Scalar>::ZERO;
-        let (left, right) = (spread(&a), spread(&b));
+        let zero = A::Number::ZERO;
         let mut result = [zero; BLADES];
         let count = 1_u32 << self.dimension;
         let mut entries = self.entries;
@@ -65,7 +92,7 @@ impl Table {
                         let value = match (numerator, denominator) {
                             (1, 1) => factor,
                             (-1, 1) => -factor,
-                            _ => factor * A::Number::from_ratio(numerator, denominator),
+                            _ => factor * number(numerator, denominator),
                         };
                         result[mask as usize] += value;
                     }
@@ -76,18 +103,14 @@ impl Table {
     }
 }
 
-/// The coefficients by bitmask.
-fn spread<A>(a: &A) -> [A::Number; BLADES]
-where
-    A: Element,
-    A::Number: Field,
-{
-    let mut result = [<A::Number as crate::Scalar>::ZERO; BLADES];
+/// The coefficients by bitmask, with fixed ones written by `number`.
+fn spread<A: Element>(a: &A, number: impl Fn(i64, i64) -> A::Number) -> [A::Number; BLADES] {
+    let mut result = [A::Number::ZERO; BLADES];
     for (i, (blade, sign)) in A::BLADES.iter().enumerate() {
         result[blade.mask() as usize] = if *sign < 0 { -a.at(i) } else { a.at(i) };
     }
     for (blade, sign, numerator, denominator) in A::FIXED {
-        let value = A::Number::from_ratio(*numerator, *denominator);
+        let value = number(*numerator, *denominator);
         result[blade.mask() as usize] = if *sign < 0 { -value } else { value };
     }
     result
@@ -102,20 +125,12 @@ fn gather<R: Element>(coefficients: &[R::Number; BLADES]) -> R {
 }
 
 /// The regressive product, which needs no metric.
-pub fn regressive<A, B, R>(dimension: usize, a: A, b: B) -> R
-where
-    A: Element,
-    B: Element<Number = A::Number>,
-    R: Element<Number = A::Number>,
-    A::Number: Field,
-{
-    let zero = <A::Number as crate::Scalar>::ZERO;
-    let (left, right) = (spread(&a), spread(&b));
-    let mut result = [zero; BLADES];
+fn regressive<T: Scalar>(dimension: usize, left: &[T; BLADES], right: &[T; BLADES]) -> [T; BLADES] {
+    let mut result = [T::ZERO; BLADES];
     let count = 1_u32 << dimension;
-    for i in (0..count).filter(|i| left[*i as usize] != zero) {
+    for i in (0..count).filter(|i| left[*i as usize] != T::ZERO) {
         let (below_left, left_sign) = right_complement(dimension, Blade::new(i));
-        for j in (0..count).filter(|j| right[*j as usize] != zero) {
+        for j in (0..count).filter(|j| right[*j as usize] != T::ZERO) {
             let (below_right, right_sign) = right_complement(dimension, Blade::new(j));
             let (x, y) = (below_left.mask(), below_right.mask());
             if x & y != 0 {
@@ -127,5 +142,5 @@ where
             result[blade.mask() as usize] += if sign < 0 { -factor } else { factor };
         }
     }
-    gather(&result)
+    result
 }

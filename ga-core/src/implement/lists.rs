@@ -31,12 +31,22 @@ macro_rules! vanishing {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! shared {
-    ($trait:ident $method:ident $Left:ident: $($kind:ident $Right:ident => $Output:ty, ($($word:ident)*) $doc:literal,)*) => {$(
+    ($trait:ident $method:ident $Left:ident: $($kind:ident $Right:ident => $Output:ident ($($word:ident)*) $doc:literal,)*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
-            type Output = $Output;
+            type Output = $Output<T>;
             #[doc = $doc]
             #[inline]
-            fn $method(self, b: $Right<T>) -> $Output {
+            fn $method(self, b: $Right<T>) -> $Output<T> {
+                $crate::shared!(@$kind $method self b $($word)*)
+            }
+        }
+    )*};
+    ($trait:ident $method:ident $Left:ident number: $($kind:ident $Right:ident ($($word:ident)*) $doc:literal,)*) => {$(
+        impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
+            type Output = T;
+            #[doc = $doc]
+            #[inline]
+            fn $method(self, b: $Right<T>) -> T {
                 $crate::shared!(@$kind $method self b $($word)*)
             }
         }

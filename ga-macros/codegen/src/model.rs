@@ -97,6 +97,13 @@ impl Type {
         self.slots.iter().any(|slot| slot.fixed.is_some())
     }
 
+    /// Whether any coefficient is fixed at a value that is no integer.
+    pub fn has_fractions(&self) -> bool {
+        self.slots
+            .iter()
+            .any(|slot| slot.fixed.is_some_and(|value| !value.is_integer()))
+    }
+
     /// The slot of a blade.
     pub fn slot(&self, mask: u32) -> Option<&Slot> {
         self.slots.iter().find(|slot| slot.mask == mask)

@@ -47,9 +47,10 @@ pub fn products(generator: &mut Generator<'_>) {
         let name = generator.name(a);
         for (product, list) in shared {
             let (trait_name, method) = (product.trait_name(), product.method());
+            let number = if product == Product::ScalarProduct { "number" } else { "" };
             let _ = writeln!(
                 generator.source,
-                "algebra::shared! {{ {trait_name} {method} {name}: {} }}",
+                "algebra::shared! {{ {trait_name} {method} {name} {number}: {} }}",
                 list.join(" ")
             );
         }
@@ -115,8 +116,10 @@ fn emit_product(
     let is_number = product == Product::ScalarProduct;
     let kernel = Kernel::expanded(generator.onto_fields(result, element));
     generator.check(&kernel);
-    let integral = expression::is_integral(&kernel);
     let looped = kernel.terms() > loop_from(generator.model.dimension());
+    // A loop reads fixed coefficients one by one, not multiplied together.
+    let fractions = looped && [a, b].iter().any(|&i| generator.kind(i).has_fractions());
+    let integral = expression::is_integral(&kernel) && !fractions;
     let call = hand_on(generator, product, a, b, result, &kernel)
         .or_else(|| widened(generator, product, a, b, result));
     let (left, right) = (generator.name(a), generator.name(b));
@@ -145,20 +148,13 @@ fn emit_product(
     if let Some(call) = call.filter(|_| integral) {
         entry.form = call.form.to_owned();
         generator.record(entry);
-        let output = if is_number {
-            "T".to_owned()
-        } else {
-            format!("{output}<T>")
-        };
-        let text = format!(
-            "{} {right} => {output}, ({}) {documentation:?},",
-            call.form, call.words
-        );
+        let output = if is_number { String::new() } else { format!("=> {output}") };
+        let text = format!("{} {right} {output} ({}) {documentation:?},", call.form, call.words);
         return Emitted::Shared(text);
     }
     let body = if looped {
         entry.form = "loop".to_owned();
-        looped_body(generator, product, result)
+        looped_body(generator, product, result, integral)
     } else {
         entry.form = kernel.form.to_owned();
         entry.cost = Some(kernel.cost());
@@ -169,7 +165,7 @@ fn emit_product(
     } else {
         format!("{output}<T>")
     };
-    let bound = if integral && !looped {
+    let bound = if integral {
         "Number"
     } else {
         "Field"
@@ -323,18 +319,20 @@ fn widened(
     })
 }
 
-fn looped_body(generator: &Generator<'_>, product: Product, result: usize) -> String {
+fn looped_body(
+    generator: &Generator<'_>,
+    product: Product,
+    result: usize,
+    integral: bool,
+) -> String {
     let number = if product == Product::ScalarProduct {
         ".s"
     } else {
         ""
     };
     let name = generator.name(result);
-    if product == Product::Regressive {
-        let dimension = generator.model.dimension();
-        return format!("algebra::table::regressive::<_, _, {name}<T>>({dimension}, self, b)");
-    }
-    format!("TABLE.product::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){number}")
+    let method = if integral { "integral" } else { "product" };
+    format!("TABLE.{method}::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){number}")
 }
 
 /// The table of the geometric product as one literal: for each pair of blades, in the order of

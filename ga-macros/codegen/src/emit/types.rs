@@ -41,6 +41,7 @@ fn declaration(kind: &Type) -> TokenStream {
         #(#attributes)*
         #[doc = #documentation]
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[repr(C)]
         pub struct #name<T = f64> { #(#fields,)* #marker }
     }
 }

@@ -86,9 +86,15 @@ pub fn applications(generator: &mut Generator<'_>) {
 
 /// Whether `V Ṽ = 1` by declaration or by the fixed coefficients.
 fn is_unit(generator: &Generator<'_>, v: usize) -> bool {
+    let versor = &generator.general[v][0];
+    if generator.kind(v).unit || !generator.kind(v).has_fixed() {
+        return generator.kind(v).unit;
+    }
     let one = ga_core::Rational::from_integer(1);
-    let norm = super::norm_polynomial(generator, v);
-    generator.kind(v).unit || norm.as_constant() == Some(one)
+    let square = generator
+        .tables
+        .product(Product::Geometric, versor, &reversed(versor));
+    square.len() == 1 && square.get(&0).and_then(Poly::as_constant) == Some(one)
 }
 
 /// Whether unrolling is worth its tokens: declared versors, scalar-plus-blade types, vectors.

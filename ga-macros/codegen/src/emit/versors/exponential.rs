@@ -15,7 +15,7 @@ use crate::poly::{Element, Poly};
 /// Emits `exp` of every type, `log` and `sqrt` of those of the form scalar plus bivector.
 pub fn exponential(generator: &mut Generator<'_>, a: usize) {
     if generator.kind(a).has_fixed() {
-        // A fixed coefficient is neither a generator nor a rotor of every size.
+        unipotent_functions(generator, a);
         return;
     }
     let element = generator.general[a][0].clone();
@@ -51,9 +51,12 @@ fn square_code(generator: &Generator<'_>, a: usize, square: &Poly) -> String {
 
 /// `exp X = C(X²) + S(X²) X` (2.62).
 fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element, square: &Poly) {
+    let null = square.is_zero();
     let mut with_scalar = element.clone();
-    // Any variable polynomial marks the scalar as free.
-    if let Some(first) = element.values().next() {
+    if null {
+        with_scalar.insert(0, Poly::constant(ga_core::Rational::from_integer(1)));
+    } else if let Some(first) = element.values().next() {
+        // Any variable polynomial marks the scalar as free.
         with_scalar.insert(0, first.clone());
     }
     let Some(result) = closure::smallest(generator.model, &with_scalar) else {
@@ -65,17 +68,28 @@ fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element
         .fields()
         .zip(&outputs.outputs)
         .map(|(slot, poly)| {
-            let value = if slot.mask == 0 {
-                "c".to_owned()
-            } else if poly.is_zero() {
-                "T::ZERO".to_owned()
-            } else {
-                format!("{} * s", expression::code(poly, &names(generator, a)))
+            let code = || expression::code(poly, &names(generator, a));
+            let value = match (slot.mask, null) {
+                (0, true) => "T::ONE".to_owned(),
+                (0, false) => "c".to_owned(),
+                _ if poly.is_zero() => "T::ZERO".to_owned(),
+                (_, true) => code(),
+                (_, false) => format!("{} * s", code()),
             };
             format!("{}: {value}", slot.field)
         })
         .collect();
     let (name, output) = (generator.name(a), generator.name(result));
+    if null {
+        let _ = writeln!(
+            generator.source,
+            "impl<T: Number> Exponential for {name}<T> {{ type Output = {output}<T>; \
+             #[doc = \" The exponential `1 + X`, because `X² = 0`.\"] \
+             #[inline] fn exp(self) -> {output}<T> {{ {output} {{ {} }} }} }}",
+            fields.join(", ")
+        );
+        return;
+    }
     let text = format!(
         "impl<T: Real> Exponential for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The exponential `C(X²) + S(X²) X` (2.62), with `C(a) = cosh √a` and \
@@ -152,6 +166,48 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
          let (c, f) = algebra::convert::half(self.{field}, {square})?; Some({}) }} }}\n",
         scale(result, part, "T::ZERO"),
         scale(a, part, "c"),
+    );
+    generator.source.push_str(&text);
+}
+
+/// `log` and `sqrt` of `1 + X` with `X² = 0`: the scalar part is fixed, and both are exact.
+fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
+    let one = ga_core::Rational::from_integer(1);
+    let kind = generator.kind(a);
+    let fixed_one = |slot: &crate::model::Slot| slot.mask == 0 && slot.fixed == Some(one);
+    if !kind.slots.iter().all(|slot| slot.fixed.is_none() || fixed_one(slot)) {
+        return;
+    }
+    let mut part = generator.general[a][0].clone();
+    part.remove(&0);
+    if !generator.tables.product(Product::Geometric, &part, &part).is_empty() {
+        return;
+    }
+    let Some(result) = closure::smallest(generator.model, &part) else { return };
+    let names = names(generator, a);
+    let fields = |index: usize, factor: &str| -> String {
+        generator
+            .kind(index)
+            .fields()
+            .zip(generator.onto_fields(index, &part))
+            .map(|(slot, poly)| match poly.is_zero() {
+                true => format!("{}: T::ZERO", slot.field),
+                false => format!("{}: {}{factor}", slot.field, expression::code(&poly, &names)),
+            })
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let (name, output) = (generator.name(a), generator.name(result));
+    let text = format!(
+        "impl<T: Number> Logarithm for {name}<T> {{ type Output = {output}<T>; \
+         #[doc = \" The logarithm of `1 + X` with `X² = 0` is `X`; it always exists.\"] \
+         #[inline] fn log(self) -> Option<{output}<T>> {{ Some({output} {{ {} }}) }} }}\n\
+         impl<T: Field> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
+         #[doc = \" The square root of `1 + X` with `X² = 0` is `1 + X/2`; it always exists.\"] \
+         #[inline] fn sqrt(self) -> Option<{name}<T>> {{ let f = T::from_ratio(1, 2); \
+         Some({name} {{ {} }}) }} }}\n",
+        fields(result, ""),
+        fields(a, " * f"),
     );
     generator.source.push_str(&text);
 }

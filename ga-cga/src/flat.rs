@@ -1,0 +1,3 @@
+//! Flat elements: planes.
+
+mod dual_plane;

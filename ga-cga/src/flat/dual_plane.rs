@@ -1,0 +1,37 @@
+//! Dual planes.
+
+use ga_core::{Real, Scalar};
+
+use crate::cga3::{DualPlane, Point, Vector3};
+
+impl<T: Scalar> DualPlane<T> {
+    /// The plane with this normal at a distance δ from the origin along it, **n** + δ n_∞; the
+    /// normal has unit length.
+    ///
+    /// ```
+    /// use ga_cga::{DualPlane, Point, Vector3};
+    ///
+    /// let plane = DualPlane::at_distance(Vector3::new(0.0, 0.0, 1.0), 2.0);
+    /// let image: Point = plane.apply(Point::at(1.0, 2.0, 3.0));
+    /// assert_eq!(image, Point::at(1.0, 2.0, 1.0));
+    /// ```
+    pub fn at_distance(normal: Vector3<T>, distance: T) -> Self {
+        let [e1, e2, e3] = normal.to_array();
+        DualPlane { e1, e2, e3, ni: distance }
+    }
+
+    /// The normal, as long as the plane's weight.
+    pub fn normal(self) -> Vector3<T> {
+        Vector3::new(self.e1, self.e2, self.e3)
+    }
+}
+
+impl<T: Real> DualPlane<T> {
+    /// The plane through a point with this normal, which need not have unit length; `None` for
+    /// a normal of length zero.
+    pub fn through(point: Point<T>, normal: Vector3<T>) -> Option<Self> {
+        let normal = normal.normalized()?;
+        let distance = normal.scalar_product(point.position());
+        Some(DualPlane::at_distance(normal, distance))
+    }
+}
