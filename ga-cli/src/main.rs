@@ -1,0 +1,2 @@
+//! The program `articulate`.
+fn main() {}

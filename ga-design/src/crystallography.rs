@@ -1,0 +1,65 @@
+//! Which parts of crystallography there are, and how a file becomes atoms: text → [`Crystal`] →
+//! [`Placement`]s → [`Atom`]s.
+//!
+//! ```text
+//! cif::read_file ──► Crystal { cell, operations, sites } ──► expand ──► Vec<Atom>
+//!                      ▲              ▲
+//!        hall, symbols ┘              └ Placement: ≤ 3 reflections, then a translation
+//!                                       └ Isometry: the same as versors
+//! ```
+//!
+//! Symmetry is exact (integers and rationals modulo the lattice); only lengths and coordinates
+//! are floating point. Fractional coordinates are columns, so an operation `(W, w)` maps `x` to
+//! `W x + w`, as in *International Tables for Crystallography*, volume A.
+//!
+//! ```
+//! use ga_design::crystallography::{SpaceGroup, Expansion, cif};
+//!
+//! let text = "data_halite
+//! _cell_length_a 5.6401
+//! _cell_length_b 5.6401
+//! _cell_length_c 5.6401
+//! _cell_angle_alpha 90
+//! _cell_angle_beta 90
+//! _cell_angle_gamma 90
+//! _space_group_name_H-M_alt 'F m -3 m'
+//! loop_
+//! _atom_site_label
+//! _atom_site_fract_x
+//! _atom_site_fract_y
+//! _atom_site_fract_z
+//! Na 0 0 0
+//! Cl 0.5 0.5 0.5
+//! ";
+//! let reading = cif::read_str("halite.cif", text)?;
+//! assert_eq!(reading.crystal.number, Some(225));
+//! let atoms = Expansion::default().unit_cell(&reading.crystal)?;
+//! assert_eq!(atoms.len(), 8);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod cell;
+pub mod cell_range;
+pub mod cif;
+pub mod closure;
+pub mod crystal;
+pub mod elements;
+pub mod hall;
+pub mod operation;
+pub mod placement;
+pub mod scene;
+pub mod symbols;
+pub mod unit_cell;
+pub mod versor;
+
+pub use cell::{Cell, CellError};
+pub use cell_range::{CellRange, CellRangeError};
+pub use closure::{ClosureError, close};
+pub use crystal::{Crystal, Measured, Site};
+pub use elements::Element;
+pub use hall::HallError;
+pub use operation::{Operation, OperationError};
+pub use placement::{Placement, PlacementError};
+pub use symbols::{SpaceGroup, UnknownSymbol};
+pub use unit_cell::{Atom, Expansion, ExpansionError};
+pub use versor::Isometry;

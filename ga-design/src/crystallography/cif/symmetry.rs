@@ -1,0 +1,291 @@
+//! How the symmetry of a data block is found: operations before Hall symbol before
+//! Hermann–Mauguin symbol before number.
+//!
+//! Operations say everything, a Hall symbol too; a Hermann–Mauguin symbol may leave axes or origin
+//! open, a number both. What is open is settled by the cell, and else by the standard setting.
+
+use std::collections::HashSet;
+
+use super::super::cell::Cell;
+use super::super::closure::close;
+use super::super::hall;
+use super::super::operation::Operation;
+use super::super::placement::SymmetricCell;
+use super::super::symbols::SpaceGroup;
+use super::block::Block;
+use super::problem::Problem;
+use super::token::Value;
+use super::{Located, Warnings};
+
+const OPERATIONS: [&str; 2] = [
+    "_space_group_symop_operation_xyz",
+    "_symmetry_equiv_pos_as_xyz",
+];
+const HALL: [&str; 2] = ["_space_group_name_hall", "_symmetry_space_group_name_hall"];
+const HERMANN_MAUGUIN: [&str; 4] = [
+    "_space_group_name_h-m_alt",
+    "_symmetry_space_group_name_h-m",
+    "_space_group_name_h-m_full",
+    "_space_group_name_h-m",
+];
+const NUMBER: [&str; 2] = ["_space_group_it_number", "_symmetry_int_tables_number"];
+
+const COORDINATE_SYSTEM: [&str; 1] = ["_space_group_it_coordinate_system_code"];
+
+/// The most operations that a file may list.
+const MOST_LISTED: usize = 4096;
+
+/// The symmetry of a crystal.
+pub struct Symmetry {
+    pub number: Option<u32>,
+    pub hermann_mauguin: Option<String>,
+    pub operations: Vec<Operation>,
+}
+
+/// The symmetry of a block, checked against the cell, whose line is `cell_line`.
+pub fn symmetry(
+    block: &Block<'_>,
+    cell: &Cell,
+    cell_line: usize,
+    warnings: &mut Warnings,
+) -> Result<Symmetry, Located> {
+    let found = match listed(block, warnings)? {
+        Some(operations) => from_operations(block, operations, warnings),
+        None => named(block, cell, warnings)?,
+    };
+    SymmetricCell::new(&found.operations, cell)
+        .map_err(|error| Located::new(cell_line, error.into()))?;
+    Ok(found)
+}
+
+/// The group that the listed operations make; `None` when none is listed.
+fn listed(block: &Block<'_>, warnings: &mut Warnings) -> Result<Option<Vec<Operation>>, Located> {
+    let Some((_, values)) = block.column(&OPERATIONS)? else {
+        return Ok(None);
+    };
+    let line = values.first().map_or(block.line, |value| value.line);
+    if values.len() > MOST_LISTED {
+        let problem = Problem::TooLarge {
+            what: "symmetry operations",
+            limit: MOST_LISTED,
+        };
+        return Err(Located::new(line, problem));
+    }
+    let mut operations: Vec<Operation> = Vec::with_capacity(values.len());
+    for value in &values {
+        let Some(text) = value.known() else { continue };
+        let operation = text.parse().map_err(|reason| {
+            let text = text.chars().take(60).collect();
+            Located::new(value.line, Problem::Operation { text, reason })
+        })?;
+        if operations.contains(&operation) {
+            warnings.add(
+                value.line,
+                format!("the operation {operation} is listed twice"),
+            );
+        } else {
+            operations.push(operation);
+        }
+    }
+    if operations.is_empty() {
+        return Ok(None);
+    }
+    let group = close(&operations).map_err(|error| Located::new(line, error.into()))?;
+    if group.len() > operations.len() {
+        let (listed, all) = (operations.len(), group.len());
+        let message =
+            format!("{listed} operations are listed, but their group has {all}; all are used");
+        warnings.add(line, message);
+    }
+    Ok(Some(group))
+}
+
+fn from_operations(
+    block: &Block<'_>,
+    operations: Vec<Operation>,
+    warnings: &mut Warnings,
+) -> Symmetry {
+    let written_number = block.first(&NUMBER).and_then(|(_, value)| {
+        let number = value.known().and_then(|text| text.parse::<u32>().ok());
+        number
+            .filter(|number| (1..=230).contains(number))
+            .map(|number| (number, value.line))
+    });
+    let written_symbol = block
+        .first(&HERMANN_MAUGUIN)
+        .and_then(|(_, value)| value.known());
+    match SpaceGroup::identify(&operations) {
+        Some(group) => {
+            if let Some((number, line)) = written_number.filter(|(n, _)| *n != group.number) {
+                let message = format!(
+                    "the space group number is {number}, but the operations are those of {}; \
+                     the operations are used",
+                    group.number
+                );
+                warnings.add(line, message);
+            }
+            of_group(group, operations)
+        }
+        // A setting that is in no table, such as another origin: the file's own word counts.
+        None => {
+            let by_symbol = || {
+                let settings = SpaceGroup::from_symbol(written_symbol?).ok()?;
+                settings.first().map(|group| group.number)
+            };
+            let written = written_number.map(|(number, _)| number).or_else(by_symbol);
+            Symmetry {
+                number: written.filter(|number| has_point_group_order(*number, &operations)),
+                hermann_mauguin: written_symbol.map(|text| text.chars().take(60).collect()),
+                operations,
+            }
+        }
+    }
+}
+
+/// Whether a group has as many different matrices as the operations: if not, the file's word
+/// about its group is wrong.
+fn has_point_group_order(number: u32, operations: &[Operation]) -> bool {
+    let order = |operations: &[Operation]| {
+        let matrices: HashSet<_> = operations.iter().map(Operation::rotation).collect();
+        matrices.len()
+    };
+    let standard = SpaceGroup::standard(number).and_then(|group| group.operations().ok());
+    standard.is_some_and(|standard| order(&standard) == order(operations))
+}
+
+fn of_group(group: &SpaceGroup, operations: Vec<Operation>) -> Symmetry {
+    Symmetry {
+        number: Some(group.number),
+        hermann_mauguin: Some(group.qualified_symbol()),
+        operations,
+    }
+}
+
+/// The group that the symbols or the number stand for.
+fn named(block: &Block<'_>, cell: &Cell, warnings: &mut Warnings) -> Result<Symmetry, Located> {
+    let symbol = block.first(&HERMANN_MAUGUIN).map(|(_, value)| value);
+    let number = block.first(&NUMBER).map(|(_, value)| value);
+    if let Some((_, value)) = block.first(&HALL) {
+        let text = value.known().unwrap_or_default();
+        match hall::operations(text) {
+            Ok(operations) => return Ok(from_operations(block, operations, warnings)),
+            Err(reason) => {
+                let text = text.chars().take(60).collect();
+                let problem = Problem::Hall { text, reason };
+                if symbol.is_none() && number.is_none() {
+                    return Err(Located::new(value.line, problem));
+                }
+                warnings.add(value.line, problem.to_string());
+            }
+        }
+    }
+    let written_number = match number.map(|value| group_number(&value)).transpose() {
+        Ok(written) => written,
+        // The symbol says enough.
+        Err(error) if symbol.is_some() => {
+            warnings.add(error.line, error.problem.to_string());
+            None
+        }
+        Err(error) => return Err(error),
+    };
+    let (settings, line) = match (symbol, number) {
+        (Some(value), _) => {
+            let text = qualified(block, value.known().unwrap_or_default());
+            let settings = SpaceGroup::from_symbol(&text)
+                .map_err(|error| Located::new(value.line, error.into()))?;
+            (settings, value.line)
+        }
+        (None, Some(value)) => (
+            written_number.map(SpaceGroup::settings).unwrap_or_default(),
+            value.line,
+        ),
+        (None, None) => return Err(Located::new(block.line, Problem::NoSymmetry)),
+    };
+    let disagrees = |number: &u32| settings.iter().all(|group| group.number != *number);
+    if let Some(number) = written_number.filter(disagrees) {
+        let message = format!("the number {number} is not that of the symbol; the symbol is used");
+        warnings.add(line, message);
+    }
+    fitting(&settings, cell, line, warnings)
+}
+
+/// The symbol with the choice of origin or axes that another data name may hold.
+fn qualified(block: &Block<'_>, symbol: &str) -> String {
+    let code = block
+        .first(&COORDINATE_SYSTEM)
+        .and_then(|(_, value)| value.known());
+    let choice = code
+        .and_then(|code| code.chars().next())
+        .map(|first| first.to_ascii_lowercase());
+    match choice {
+        Some(choice @ ('1' | '2' | 'h' | 'r')) if !symbol.contains(':') => {
+            let text = format!("{symbol}:{choice}");
+            // `1` is also written for groups that have no choice.
+            if SpaceGroup::from_symbol(&text).is_ok() {
+                text
+            } else {
+                symbol.to_owned()
+            }
+        }
+        _ => symbol.to_owned(),
+    }
+}
+
+fn group_number(value: &Value<'_>) -> Result<u32, Located> {
+    let text = value.known().unwrap_or_default();
+    let number = text
+        .parse()
+        .ok()
+        .filter(|number| (1..=230).contains(number));
+    number.ok_or_else(|| {
+        let found = text.chars().take(40).collect();
+        Located::new(value.line, Problem::Number { found })
+    })
+}
+
+/// The first setting whose symmetry the cell has; when none fits, the first, so that the misfit is
+/// reported for it.
+fn fitting(
+    settings: &[&'static SpaceGroup],
+    cell: &Cell,
+    line: usize,
+    warnings: &mut Warnings,
+) -> Result<Symmetry, Located> {
+    let operations = |group: &SpaceGroup| {
+        group.operations().map_err(|reason| {
+            Located::new(
+                line,
+                Problem::Hall {
+                    text: group.hall.to_owned(),
+                    reason,
+                },
+            )
+        })
+    };
+    let mut chosen = None;
+    for group in settings {
+        let group_operations = operations(group)?;
+        if SymmetricCell::new(&group_operations, cell).is_ok() {
+            chosen = Some((*group, group_operations));
+            break;
+        }
+    }
+    let (group, operations) = match (chosen, settings.first()) {
+        (Some(chosen), _) => chosen,
+        (None, Some(group)) => (*group, operations(group)?),
+        (None, None) => return Err(Located::new(line, Problem::NoSymmetry)),
+    };
+    let open_origin = group.choice == Some('2')
+        && settings
+            .iter()
+            .any(|other| other.symbol == group.symbol && other.choice == Some('1'));
+    if open_origin {
+        let message = format!(
+            "{} has two origin choices and the file names none; `{}` is used",
+            group.symbol,
+            group.qualified_symbol()
+        );
+        warnings.add(line, message);
+    }
+    Ok(of_group(group, operations))
+}

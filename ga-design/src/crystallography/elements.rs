@@ -1,0 +1,156 @@
+//! Which chemical elements there are, how they are named in files, how large and of which colour
+//! they are drawn.
+//!
+//! The table is `data/elements.tsv`. Covalent radii: B. Cordero et al., *Dalton Trans.* (2008)
+//! 2832–2838 (up to curium; carbon sp³, manganese, iron and cobalt low spin). Masses: IUPAC
+//! standard atomic weights 2016 (of the longest-lived isotope where there is none). Colours: the
+//! scheme of the program Jmol, which extends the CPK colours.
+
+use std::sync::LazyLock;
+
+const TABLE: &str = include_str!("../../data/elements.tsv");
+
+/// The radius of elements that have no measured one, in ångström.
+const UNMEASURED_RADIUS: f64 = 1.50;
+
+/// A chemical element, or the unknown one (`X`, number 0).
+///
+/// ```
+/// use ga_design::crystallography::Element;
+///
+/// assert_eq!(Element::from_type_symbol("Si4+").map(|e| e.symbol()), Some("Si"));
+/// assert_eq!(Element::from_label("O12A").map(|e| e.symbol()), Some("O"));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Element(u8);
+
+struct Row {
+    symbol: &'static str,
+    name: &'static str,
+    mass: f64,
+    radius: Option<f64>,
+    colour: [u8; 3],
+}
+
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| TABLE.lines().filter_map(row).collect());
+
+const UNKNOWN: Row = Row {
+    symbol: "X",
+    name: "unknown",
+    mass: 0.0,
+    radius: None,
+    colour: [0xff, 0x14, 0x93],
+};
+
+impl Element {
+    /// The element that stands for what cannot be named.
+    pub const UNKNOWN: Self = Self(0);
+
+    /// The element with an atomic number from 1 to 118.
+    pub fn from_number(number: u8) -> Option<Self> {
+        (1..=118).contains(&number).then_some(Self(number))
+    }
+
+    /// The element with exactly this symbol, case aside; `D` and `T` are hydrogen.
+    pub fn from_symbol(symbol: &str) -> Option<Self> {
+        if matches!(symbol, "D" | "T" | "d" | "t") {
+            return Some(Self(1));
+        }
+        let at = ROWS
+            .iter()
+            .position(|row| row.symbol.eq_ignore_ascii_case(symbol))?;
+        u8::try_from(at + 1).ok().map(Self)
+    }
+
+    /// The element of a type symbol such as `Si4+`, `O2-`, `CA`, `Fe(III)`: the longest symbol of
+    /// one or two letters at its beginning that is followed by no further small letter.
+    pub fn from_type_symbol(text: &str) -> Option<Self> {
+        let text = text.trim();
+        let letters: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
+        let next_is_small = |at: usize| {
+            letters
+                .chars()
+                .nth(at)
+                .is_some_and(|c| c.is_ascii_lowercase())
+        };
+        let two = letters
+            .get(..2)
+            .filter(|_| !next_is_small(2))
+            .and_then(Self::from_symbol);
+        two.or_else(|| {
+            letters
+                .get(..1)
+                .filter(|_| !next_is_small(1))
+                .and_then(Self::from_symbol)
+        })
+    }
+
+    /// The element at the beginning of an atom label such as `Si1`, `O12A`, `CL2`, `H_a`.
+    ///
+    /// A label begins with the symbol of its element; what follows is free. Two habits of
+    /// mineralogists are known: `Oh` and `Ow` are the oxygens of hydroxyl and water, and `T` is a
+    /// tetrahedral site of unnamed element.
+    pub fn from_label(label: &str) -> Option<Self> {
+        let label = label.trim();
+        let mut letters = label.chars().take_while(char::is_ascii_alphabetic);
+        match (letters.next(), letters.next()) {
+            (Some('T'), None) => None,
+            (Some('O'), Some('h' | 'w')) => Self::from_symbol("O"),
+            _ => Self::from_type_symbol(label),
+        }
+    }
+
+    /// The atomic number; 0 for [`Element::UNKNOWN`].
+    pub fn number(self) -> u8 {
+        self.0
+    }
+
+    /// The symbol, such as `Si`; `X` for [`Element::UNKNOWN`].
+    pub fn symbol(self) -> &'static str {
+        self.row().symbol
+    }
+
+    /// The English name, such as `Silicon`.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The atomic weight in daltons; 0 for [`Element::UNKNOWN`].
+    pub fn mass(self) -> f64 {
+        self.row().mass
+    }
+
+    /// The covalent radius in ångström; 1.5 where none is published.
+    pub fn covalent_radius(self) -> f64 {
+        self.row().radius.unwrap_or(UNMEASURED_RADIUS)
+    }
+
+    /// The colour to draw it in: red, green, blue from 0 to 255 (sRGB).
+    pub fn colour(self) -> [u8; 3] {
+        self.row().colour
+    }
+
+    fn row(self) -> &'static Row {
+        let at = usize::from(self.0).checked_sub(1);
+        at.and_then(|at| ROWS.get(at)).unwrap_or(&UNKNOWN)
+    }
+}
+
+/// A row of the table; `None` for its heading.
+fn row(line: &'static str) -> Option<Row> {
+    let mut fields = line.split('\t');
+    let _number: u8 = fields.next()?.parse().ok()?;
+    let symbol = fields.next()?;
+    let name = fields.next()?;
+    let mass = fields.next()?.parse().ok()?;
+    let radius = fields.next()?.parse().ok();
+    let colour = u32::from_str_radix(fields.next()?.strip_prefix('#')?, 16).ok()?;
+    let [_, red, green, blue] = colour.to_be_bytes();
+    Some(Row {
+        symbol,
+        name,
+        mass,
+        radius,
+        colour: [red, green, blue],
+    })
+}

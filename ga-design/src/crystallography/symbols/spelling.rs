@@ -1,0 +1,73 @@
+//! Which spellings of a Hermann–Mauguin symbol are taken for the same.
+
+/// A symbol without what does not matter: case, blanks, underscores, quotation marks, brackets.
+pub fn folded(symbol: &str) -> String {
+    symbol
+        .chars()
+        .take(80)
+        .filter(|c| {
+            !c.is_whitespace() && !matches!(c, '_' | '\'' | '"' | '(' | ')' | '{' | '}' | '$')
+        })
+        .map(|c| match c {
+            // Dashes that word processors make of a minus sign.
+            '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
+            other => other.to_ascii_lowercase(),
+        })
+        .collect()
+}
+
+/// The ways to read a symbol, as folded names with a choice of origin or axes, best first.
+pub fn readings(symbol: &str) -> Vec<(String, Option<char>)> {
+    let mut all = Vec::new();
+    let (name, suffix) = match symbol.split_once(':') {
+        Some((name, suffix)) => (folded(name), folded(suffix)),
+        None => (folded(symbol), String::new()),
+    };
+    // Other suffixes, such as `b1`, tell the axes, which the symbol itself also tells.
+    let choice = match suffix.chars().next() {
+        Some(digit @ ('1' | '2')) => Some(digit),
+        Some('h') => Some('H'),
+        Some('r') => Some('R'),
+        _ => None,
+    };
+    all.push((name.clone(), choice));
+    let trailing = match name.chars().last() {
+        Some('s') => Some('1'),
+        Some('z') => Some('2'),
+        Some('h') => Some('H'),
+        Some('r') => Some('R'),
+        _ => None,
+    };
+    if let (Some(trailing), None) = (trailing, choice) {
+        let mut shorter = name;
+        shorter.pop();
+        all.push((shorter, Some(trailing)));
+    }
+    all
+}
+
+/// Spellings that follow from the symbol by rule.
+pub fn variants(symbol: &str, number: u32, choice: Option<char>) -> Vec<String> {
+    let words: Vec<&str> = symbol.split(' ').collect();
+    let mut all = Vec::new();
+    match number {
+        // Monoclinic: the short symbol leaves the ones out.
+        3..=15 => {
+            let short: Vec<&str> = words.iter().copied().filter(|word| *word != "1").collect();
+            all.push(short.join(" "));
+        }
+        // Cubic: the old symbol writes 3 for −3.
+        200..=206 | 221..=230 => {
+            let old = words
+                .iter()
+                .map(|word| if *word == "-3" { "3" } else { word });
+            all.push(old.collect::<Vec<_>>().join(" "));
+        }
+        // Rhombohedral lattice on hexagonal axes: protein files write H for R.
+        146 | 148 | 155 | 160 | 161 | 166 | 167 if choice == Some('H') => {
+            all.push(symbol.replacen('R', "H", 1));
+        }
+        _ => {}
+    }
+    all
+}

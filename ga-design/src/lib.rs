@@ -1,0 +1,5 @@
+//! Structures made with the conformal model: crystals and other symmetric forms.
+
+pub mod crystallography;
+pub mod export;
+pub mod mesh;
