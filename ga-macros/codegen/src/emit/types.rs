@@ -56,6 +56,10 @@ fn type_documentation(kind: &Type) -> String {
         text.push('\n');
     }
     let labels: Vec<&str> = kind.fields().map(label).collect();
+    let grades = kind.grades();
+    if grades.is_power_of_two() {
+        let _ = write!(text, " Elements of grade {}.", grades.trailing_zeros());
+    }
     let _ = write!(text, " Coefficients: {}.", labels.join(", "));
     for slot in &kind.slots {
         if let Some(value) = &slot.fixed {
