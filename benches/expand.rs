@@ -10,7 +10,10 @@ const TOKEN_BUDGET: usize = 500_000;
 const SECONDS_BUDGET: f64 = 15.0;
 
 fn main() {
-    println!("{:<24} {:>9} {:>9} {:>9}", "algebra", "tokens", "functions", "ms");
+    println!(
+        "{:<24} {:>9} {:>9} {:>9}",
+        "algebra", "tokens", "functions", "ms"
+    );
     for preset in ["R2", "R3", "R2_0_1", "R3_0_1", "R1_3", "R4_1", "R3_3", "R6"] {
         report(preset, preset);
     }
@@ -41,15 +44,23 @@ fn report(name: &str, declaration: &str) -> usize {
         }
         best = best.min(start.elapsed().as_secs_f64() * 1e3);
     }
-    println!("{name:<24} {:>9} {:>9} {best:>9.1}", ledger.tokens, ledger.entries.len());
+    println!(
+        "{name:<24} {:>9} {:>9} {best:>9.1}",
+        ledger.tokens,
+        ledger.entries.len()
+    );
     ledger.tokens
 }
 
 /// The body of the one declaration of the conformal model.
 fn conformal_declaration() -> String {
     let source = include_str!("../ga-cga/src/algebra.rs");
-    let body = source.split_once("define_algebra! {").map_or("", |(_, body)| body);
-    body.rsplit_once('}').map_or(body, |(body, _)| body).to_owned()
+    let body = source
+        .split_once("define_algebra! {")
+        .map_or("", |(_, body)| body);
+    body.rsplit_once('}')
+        .map_or(body, |(body, _)| body)
+        .to_owned()
 }
 
 /// CPU seconds of compiling ga-cga alone, its dependencies built before.
@@ -63,7 +74,10 @@ fn compile_seconds() -> Result<f64, String> {
             .current_dir(root)
             .status()
             .map_err(|error| format!("cargo does not run: {error}"))?;
-        status.success().then_some(()).ok_or_else(|| "cargo failed".to_owned())
+        status
+            .success()
+            .then_some(())
+            .ok_or_else(|| "cargo failed".to_owned())
     };
     cargo(&["build", "-p", "ga-cga"])?;
     cargo(&["clean", "-p", "ga-cga"])?;
@@ -76,8 +90,11 @@ fn compile_seconds() -> Result<f64, String> {
 fn children_seconds() -> Result<f64, String> {
     let stat = std::fs::read_to_string("/proc/self/stat")
         .map_err(|_| "it is measured on Linux only".to_owned())?;
-    let fields: Vec<&str> =
-        stat.rsplit_once(')').map_or("", |(_, rest)| rest).split_whitespace().collect();
+    let fields: Vec<&str> = stat
+        .rsplit_once(')')
+        .map_or("", |(_, rest)| rest)
+        .split_whitespace()
+        .collect();
     let ticks = |position: usize| fields.get(position).and_then(|f| f.parse::<f64>().ok());
     // cutime and cstime; a tick is a hundredth of a second on every Linux in use.
     match (ticks(13), ticks(14)) {

@@ -35,7 +35,8 @@ pub fn scene(
         let material = match materials.get(&element.number()) {
             Some(material) => *material,
             None => {
-                let material = Material::new(element.name(), element.colour()).with_roughness(0.35)?;
+                let material =
+                    Material::new(element.name(), element.colour()).with_roughness(0.35)?;
                 let id = scene.add_material(material);
                 materials.insert(element.number(), id);
                 id

@@ -37,9 +37,8 @@ pub fn sum_type(model: &Model, index: usize) -> Option<usize> {
 /// The smallest type without fixed coefficients that holds all blades of two types.
 pub fn sum_type_of_both(model: &Model, a: usize, b: usize) -> Option<usize> {
     let slots = || model.types[a].slots.iter().chain(&model.types[b].slots);
-    let holds_all = |other: &Type| {
-        !other.has_fixed() && slots().all(|slot| other.slot(slot.mask).is_some())
-    };
+    let holds_all =
+        |other: &Type| !other.has_fixed() && slots().all(|slot| other.slot(slot.mask).is_some());
     (0..model.types.len())
         .filter(|&i| holds_all(&model.types[i]))
         .min_by_key(|&i| model.types[i].field_count())

@@ -37,7 +37,11 @@ pub fn conveniences(generator: &mut Generator<'_>) {
     for a in 0..count {
         let name = generator.name(a);
         let all: Vec<String> = (0..count).map(|b| generator.name(b)).collect();
-        let _ = writeln!(source, "algebra::references! {{ {name}: {} }}", all.join(", "));
+        let _ = writeln!(
+            source,
+            "algebra::references! {{ {name}: {} }}",
+            all.join(", ")
+        );
         for bound in ["Scalar", "Field"] {
             let sums: Vec<String> = (0..count)
                 .filter(|&b| b != a)
@@ -51,7 +55,11 @@ pub fn conveniences(generator: &mut Generator<'_>) {
                 })
                 .collect();
             if !sums.is_empty() {
-                let _ = writeln!(source, "algebra::sums! {{ {bound} {name}: {} }}", sums.join(", "));
+                let _ = writeln!(
+                    source,
+                    "algebra::sums! {{ {bound} {name}: {} }}",
+                    sums.join(", ")
+                );
             }
         }
     }
