@@ -56,20 +56,15 @@ ga_macros::define_algebra! {
             /// A multiple of the pseudoscalar I = e₁₂₃ E.
             Pseudoscalar { e123^no^ni }
             /// A rotor e^{−θB/2}: a rotation by θ in the sense of B about the origin.
-            #[unit]
             Rotor { 1, e12, e13, e23 }
             /// A translator 1 − ½**v** n_∞: a translation by **v**.
-            #[unit]
             Translator { 1 = 1, e1^ni, e2^ni, e3^ni }
             /// A motor, any rigid motion without reflection: a translator times a rotor.
-            #[unit]
             Motor { 1, e12, e13, e23, e1^ni, e2^ni, e3^ni, e123^ni }
             /// A dilator e^{−cE/2}: a scaling about the origin by e^{−c}.
-            #[unit]
             Dilator { 1, no^ni }
             /// A transversor 1 − ½**v** n_o: an inversion, a translation by **v** and the
             /// inversion back.
-            #[unit]
             Transversor { 1 = 1, e1^no, e2^no, e3^no }
         }
     }

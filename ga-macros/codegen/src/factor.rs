@@ -7,9 +7,12 @@ use crate::poly::{Monomial, Poly};
 
 /// A function body: temporaries first, then one polynomial per field of the result.
 ///
-/// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`.
+/// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`; the reciprocal of the
+/// divisor is the variable of operand [`RECIPROCAL`].
 #[derive(Clone)]
 pub struct Kernel {
+    /// A polynomial whose reciprocal is computed first.
+    pub divisor: Option<Poly>,
     /// Intermediate values in the order computed.
     pub temporaries: Vec<Poly>,
     /// The fields of the result.
@@ -20,6 +23,9 @@ pub struct Kernel {
 
 /// The operand number of temporaries.
 pub const TEMPORARY: u8 = 2;
+
+/// The operand number of the reciprocal of the divisor.
+pub const RECIPROCAL: u8 = 3;
 
 /// Operation counts of a kernel. Doublings are counted with the additions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,16 +40,22 @@ impl Kernel {
     /// A kernel without temporaries.
     pub fn expanded(outputs: Vec<Poly>) -> Kernel {
         Kernel {
+            divisor: None,
             temporaries: Vec::new(),
             outputs,
             form: "expanded",
         }
     }
 
+    /// Every polynomial that is evaluated.
+    pub fn polynomials(&self) -> impl Iterator<Item = &Poly> {
+        self.divisor.iter().chain(&self.temporaries).chain(&self.outputs)
+    }
+
     /// What the kernel costs as it is emitted.
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
-        for poly in self.temporaries.iter().chain(&self.outputs) {
+        for poly in self.polynomials() {
             for (factor, group) in by_factor(poly) {
                 cost.multiplications += group
                     .iter()
@@ -63,11 +75,7 @@ impl Kernel {
 
     /// How many monomials the kernel writes.
     pub fn terms(&self) -> usize {
-        self.temporaries
-            .iter()
-            .chain(&self.outputs)
-            .map(Poly::len)
-            .sum()
+        self.polynomials().map(Poly::len).sum()
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use ga_core::Rational;
 use num_traits::{One, ToPrimitive};
 
-use crate::factor::{Kernel, by_factor};
+use crate::factor::{Kernel, RECIPROCAL, by_factor};
 use crate::model::Type;
 use crate::poly::{Monomial, Poly, Variable};
 
@@ -47,6 +47,7 @@ impl Names<'_> {
             (0, Some(field)) => format!("self.{field}"),
             (1, Some(field)) if self.unpacked[1] => format!("{}_{field}", self.argument),
             (1, Some(field)) => format!("{}.{field}", self.argument),
+            (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
     }
@@ -55,6 +56,7 @@ impl Names<'_> {
         match (variable.operand, self.field(variable)) {
             (0, Some(field)) => format!("a.{field}"),
             (1, Some(field)) => format!("{}.{field}", self.argument),
+            (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
     }
@@ -62,16 +64,16 @@ impl Names<'_> {
 
 /// Whether every coefficient is an integer, so that a ring is enough.
 pub fn is_integral(kernel: &Kernel) -> bool {
-    let polys = kernel.temporaries.iter().chain(&kernel.outputs);
-    polys
+    kernel
+        .polynomials()
         .flat_map(Poly::terms)
         .all(|(_, value)| value.is_integer())
 }
 
 /// Whether every coefficient fits the numbers that generated code can name.
 pub fn fits(kernel: &Kernel) -> bool {
-    let polys = kernel.temporaries.iter().chain(&kernel.outputs);
-    polys
+    kernel
+        .polynomials()
         .flat_map(Poly::terms)
         .all(|(_, value)| value.numer().to_i64().is_some() && value.denom().to_i64().is_some())
 }
@@ -169,10 +171,14 @@ pub fn documentation(
 ) -> String {
     let cost = kernel.cost();
     let mut text = format!(
-        " {summary} Cost: {}, {}.\n\n ```text\n",
+        " {summary} Cost: {}, {}{}.\n\n ```text\n",
         counted(cost.multiplications, "multiplication"),
         counted(cost.additions, "addition"),
+        if kernel.divisor.is_some() { ", 1 division" } else { "" },
     );
+    if let Some(divisor) = &kernel.divisor {
+        let _ = writeln!(text, " f = 1 / ({})", formula(divisor, names));
+    }
     for (i, poly) in kernel.temporaries.iter().enumerate() {
         let _ = writeln!(text, " t{i} = {}", formula(poly, names));
     }
@@ -204,6 +210,9 @@ fn counted(number: usize, noun: &str) -> String {
 pub fn body(kernel: &Kernel, result: Option<&Type>, names: &Names<'_>) -> String {
     let mut names = names.clone();
     let mut text = unpack(kernel, &mut names);
+    if let Some(divisor) = &kernel.divisor {
+        let _ = writeln!(text, "let f = T::ONE / ({});", code(divisor, &names));
+    }
     for (i, poly) in kernel.temporaries.iter().enumerate() {
         let _ = writeln!(text, "let t{i} = {};", code(poly, &names));
     }
@@ -231,7 +240,7 @@ fn unpack(kernel: &Kernel, names: &mut Names<'_>) -> String {
         let Some(kind) = names.operands[usize::from(operand)] else {
             continue;
         };
-        let polys = kernel.temporaries.iter().chain(&kernel.outputs);
+        let polys = kernel.polynomials();
         let mut uses = vec![0_usize; kind.slots.len()];
         for (monomial, _) in polys.flat_map(Poly::terms) {
             for variable in monomial.variables().filter(|v| v.operand == operand) {

@@ -1,6 +1,5 @@
 //! Versor application: `V x̂ Ṽ` restricted to the grades of `x`, by the cheapest form known.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use ga_core::Product;
@@ -10,7 +9,7 @@ use super::reversed;
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
-use crate::factor::{Kernel, TEMPORARY};
+use crate::factor::{Kernel, RECIPROCAL, TEMPORARY};
 use crate::ledger::Entry;
 use crate::model::Type;
 use crate::poly::{Element, Monomial, Poly, Variable, graded_signs, sum};
@@ -23,64 +22,78 @@ const ELEMENT_LIMIT: usize = 60;
 const SMALL_ALGEBRA: usize = 12;
 
 /// What is known of applying one type to another.
-struct Sandwich {
+struct Application {
     /// The type of `V x̂ Ṽ`.
-    result: usize,
+    sandwich: usize,
+    /// The body of the sandwich, where it is short enough to be unrolled.
+    sandwich_kernel: Option<Kernel>,
     /// The type of `V x̂ V⁻¹`, where fixed coefficients may be kept.
     applied: usize,
-    /// The body, where it is short enough to be unrolled.
-    kernel: Option<Kernel>,
+    /// The body of the application, where it is not the sandwich itself.
+    applied_kernel: Option<Kernel>,
 }
 
 /// Emits sandwiches and applications of every type of one parity on every type.
 pub fn applications(generator: &mut Generator<'_>) {
-    let count = generator.model.types.len();
-    for v in 0..count {
-        let Some(even) = generator.kind(v).parity() else {
+    for v in 0..generator.model.types.len() {
+        if let Some(even) = generator.kind(v).parity() {
+            applications_of(generator, v, even);
+        }
+    }
+}
+
+fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
+    // A type of null elements only, such as a direction, has sandwiches but is no versor.
+    let invertible = !super::norm_polynomial(generator, v).is_zero();
+    let unit = is_unit(generator, v);
+    let mut composed: Vec<String> = Vec::new();
+    let mut applied: Vec<String> = Vec::new();
+    for x in 0..generator.model.types.len() {
+        let Some(application) = application(generator, v, x, even) else {
             continue;
         };
-        // A type of null elements only, such as a direction, has sandwiches but is no versor.
-        let norm = super::norm_polynomial(generator, v);
-        let invertible = !norm.is_zero();
-        let unit = is_unit(generator, v);
-        let mut composed: Vec<String> = Vec::new();
-        let mut applied: Vec<String> = Vec::new();
-        for x in 0..count {
-            let Some(sandwich) = sandwich(generator, v, x, even) else {
-                continue;
-            };
-            let (operand, result) = (generator.name(x), generator.name(sandwich.result));
-            match &sandwich.kernel {
-                Some(kernel) => emit_kernel(generator, v, x, sandwich.result, kernel),
-                None => composed.push(format!("{operand} => {result}")),
+        let (operand, result) = (generator.name(x), generator.name(application.sandwich));
+        match &application.sandwich_kernel {
+            Some(kernel) => {
+                let doc = match unit {
+                    true => "The unit versor applied to `x`, `V x̂ Ṽ` (2.28).",
+                    false => "The sandwich `V x̂ Ṽ`, which is `V x̂ V⁻¹` (2.28) times `V Ṽ`.",
+                };
+                let names = ["Sandwich", "sandwich"];
+                emit_kernel(generator, [v, x, application.sandwich], names, kernel, doc);
             }
-            if !invertible {
-                continue;
+            None => composed.push(format!("{operand} => {result}")),
+        }
+        let divided = !unit && generator.kind(application.applied).has_fixed();
+        match &application.applied_kernel {
+            _ if !invertible => {}
+            Some(kernel) => {
+                let doc = "The versor applied to `x`, `V x̂ V⁻¹` (2.28).";
+                let names = ["Apply", "apply"];
+                emit_kernel(generator, [v, x, application.applied], names, kernel, doc);
             }
-            let divided = !unit && generator.kind(sandwich.applied).has_fixed();
-            if sandwich.applied == sandwich.result && !divided {
+            None if application.applied == application.sandwich && !divided => {
                 applied.push(operand);
-            } else {
-                emit_kept(generator, v, x, &sandwich);
             }
+            None => emit_kept(generator, v, x, &application),
         }
-        let name = generator.name(v);
-        let parity = if even { "even" } else { "odd" };
-        let norm = if unit { "unit" } else { "divided" };
-        if !composed.is_empty() {
-            let list = composed.join(", ");
-            let _ = writeln!(
-                generator.source,
-                "algebra::composed_sandwich! {{ {name} {parity}: {list} }}"
-            );
-        }
-        if !applied.is_empty() {
-            let list = applied.join(", ");
-            let _ = writeln!(
-                generator.source,
-                "algebra::application! {{ {name} {norm}: {list} }}"
-            );
-        }
+    }
+    let name = generator.name(v);
+    let parity = if even { "even" } else { "odd" };
+    let norm = if unit { "unit" } else { "divided" };
+    if !composed.is_empty() {
+        let list = composed.join(", ");
+        let _ = writeln!(
+            generator.source,
+            "algebra::composed_sandwich! {{ {name} {parity}: {list} }}"
+        );
+    }
+    if !applied.is_empty() {
+        let list = applied.join(", ");
+        let _ = writeln!(
+            generator.source,
+            "algebra::application! {{ {name} {norm}: {list} }}"
+        );
     }
 }
 
@@ -103,7 +116,12 @@ fn looks_like_versor(kind: &Type) -> bool {
     kind.unit || rotor_like || kind.grades() == 0b10
 }
 
-fn sandwich(generator: &Generator<'_>, v: usize, x: usize, even: bool) -> Option<Sandwich> {
+fn application(
+    generator: &Generator<'_>,
+    v: usize,
+    x: usize,
+    even: bool,
+) -> Option<Application> {
     let model = generator.model;
     let kind = generator.kind(x);
     let grades = kind.grades();
@@ -114,10 +132,11 @@ fn sandwich(generator: &Generator<'_>, v: usize, x: usize, even: bool) -> Option
     let size = generator.kind(v).slots.len().pow(2) * kind.slots.len();
     if size > 20_000 {
         let by_grade = closure_of_grades(generator, x)?;
-        return Some(Sandwich {
-            result: by_grade,
+        return Some(Application {
+            sandwich: by_grade,
+            sandwich_kernel: None,
             applied: by_grade,
-            kernel: None,
+            applied_kernel: None,
         });
     }
     let versor = &generator.general[v][0];
@@ -147,20 +166,49 @@ fn sandwich(generator: &Generator<'_>, v: usize, x: usize, even: bool) -> Option
         (false, true) => whole_type,
         (false, false) => generator.sums[whole_type]?,
     };
-    let result = if unit { applied } else { whole_type };
-    let (first, start) = if unit {
-        (&difference, Some(operand))
-    } else {
-        (&first, None)
-    };
-    let final_element = if unit { &moved } else { &whole };
-    let kernel = cheapest(generator, result, first, &back, start, final_element);
     let limit = unroll_limit(generator, v, x);
-    let kernel = Some(kernel).filter(|kernel| kernel.terms() <= limit);
-    Some(Sandwich {
-        result,
+    let short = |kernel: Kernel| Some(kernel).filter(|kernel| kernel.terms() <= limit);
+    if unit {
+        let kernel = moving(generator, applied, &difference, &back, operand, &whole);
+        let expanded = Kernel::expanded(generator.onto_fields(applied, &moved));
+        return Some(Application {
+            sandwich: applied,
+            sandwich_kernel: short(cheaper(expanded, kernel)),
+            applied,
+            applied_kernel: None,
+        });
+    }
+    // V⁻¹ = Ṽ / (V Ṽ): the reverse is divided once, and the rest is as for a unit versor.
+    let applied_kernel = if looks_like_versor(generator.kind(v)) {
+        let (divided, temporaries) = divided_by_norm(&back, difference.len());
+        let mut kernel = moving(generator, applied, &difference, &divided, operand, &whole);
+        kernel.divisor = Some(super::norm_polynomial(generator, v));
+        kernel.temporaries.extend(temporaries);
+        short(drop_unused(kernel))
+    } else {
+        None
+    };
+    // In large algebras one unrolled body per pair has to do.
+    let small = model.types.len() <= SMALL_ALGEBRA;
+    let sandwich_kernel = if applied_kernel.is_none() || small {
+        let (named, temporaries) = named(&first, 0);
+        let second = onto(generator, whole_type, &named, &back, &whole);
+        let steps = Kernel {
+            divisor: None,
+            temporaries,
+            outputs: generator.onto_fields(whole_type, &second),
+            form: "(V x) Ṽ",
+        };
+        let expanded = Kernel::expanded(generator.onto_fields(whole_type, &whole));
+        short(cheaper(expanded, drop_unused(steps)))
+    } else {
+        None
+    };
+    Some(Application {
+        sandwich: whole_type,
+        sandwich_kernel,
         applied,
-        kernel,
+        applied_kernel,
     })
 }
 
@@ -195,53 +243,74 @@ fn closure_of_grades(generator: &Generator<'_>, x: usize) -> Option<usize> {
     closure::smallest(generator.model, &element)
 }
 
-/// The cheaper of one expanded polynomial per field, and two steps with named intermediates.
-fn cheapest(
+/// `x + (V x̂ − x V) V⁻¹` with the difference named: most of its terms cancel before the second
+/// product.
+fn moving(
     generator: &Generator<'_>,
     result: usize,
-    first: &Element,
-    back: &Element,
-    start: Option<&Element>,
+    difference: &Element,
+    inverse: &Element,
+    operand: &Element,
     whole: &Element,
 ) -> Kernel {
-    let expanded = Kernel::expanded(generator.onto_fields(result, whole));
-    let mut named = Element::new();
-    let mut masks = BTreeMap::new();
-    for (number, mask) in first.keys().enumerate() {
-        let variable = Variable {
-            operand: TEMPORARY,
-            slot: number as u16,
-        };
-        let one = ga_core::Rational::from_integer(1);
-        named.insert(*mask, Poly::term(Monomial::of(variable), one));
-        masks.insert(number, *mask);
-    }
+    let (named, temporaries) = named(difference, 0);
+    let step = onto(generator, result, &named, inverse, whole);
+    let image = sum(operand, &step, 1);
+    let kernel = Kernel {
+        divisor: None,
+        temporaries,
+        outputs: generator.onto_fields(result, &image),
+        form: "x + (V x − x V) V⁻¹",
+    };
+    // With a divided reverse there are more temporaries to come.
+    let ready = inverse.values().flat_map(Poly::terms).all(|(monomial, _)| {
+        monomial.variables().all(|v| v.operand != TEMPORARY)
+    });
+    if ready { drop_unused(kernel) } else { kernel }
+}
+
+/// A variable for every coefficient of an element, counted from a number on, and what they are.
+fn named(element: &Element, from: usize) -> (Element, Vec<Poly>) {
+    let one = ga_core::Rational::from_integer(1);
+    let variables = element.keys().enumerate().map(|(number, mask)| {
+        let slot = (from + number) as u16;
+        let variable = Variable { operand: TEMPORARY, slot };
+        (*mask, Poly::term(Monomial::of(variable), one))
+    });
+    (variables.collect(), element.values().cloned().collect())
+}
+
+/// The reverse times the reciprocal of the norm, in temporaries counted from a number on.
+fn divided_by_norm(back: &Element, from: usize) -> (Element, Vec<Poly>) {
+    let one = ga_core::Rational::from_integer(1);
+    let reciprocal = Variable { operand: RECIPROCAL, slot: 0 };
+    let factor = Poly::term(Monomial::of(reciprocal), one);
+    let scaled = back.iter().map(|(mask, poly)| {
+        let mut product = Poly::default();
+        product.add_product(poly, &factor, &one);
+        (*mask, product)
+    });
+    named(&scaled.collect(), from)
+}
+
+/// The geometric product on the blades that a type stores and the image can have.
+fn onto(
+    generator: &Generator<'_>,
+    result: usize,
+    left: &Element,
+    right: &Element,
+    whole: &Element,
+) -> Element {
     let kind = generator.kind(result);
-    let second = generator
+    generator
         .tables
-        .product_onto(Product::Geometric, &named, back, |mask| {
+        .product_onto(Product::Geometric, left, right, |mask| {
             kind.slot(mask).is_some_and(|slot| slot.fixed.is_none()) && whole.contains_key(&mask)
-        });
-    let second = match start {
-        Some(operand) => sum(operand, &second, 1),
-        None => second,
-    };
-    let form = if start.is_some() {
-        "x + (V x − x V) Ṽ"
-    } else {
-        "(V x) Ṽ"
-    };
-    let two_steps = Kernel {
-        temporaries: masks.values().map(|mask| first[mask].clone()).collect(),
-        outputs: generator.onto_fields(result, &second),
-        form,
-    };
-    let two_steps = drop_unused(two_steps);
-    if expanded.cost() <= two_steps.cost() {
-        expanded
-    } else {
-        two_steps
-    }
+        })
+}
+
+fn cheaper(a: Kernel, b: Kernel) -> Kernel {
+    if a.cost() <= b.cost() { a } else { b }
 }
 
 /// Removes temporaries that no output uses and numbers the others anew.
@@ -270,6 +339,7 @@ fn drop_unused(kernel: Kernel) -> Kernel {
         )
     });
     Kernel {
+        divisor: kernel.divisor.clone(),
         outputs: outputs.collect(),
         temporaries: kept
             .iter()
@@ -279,32 +349,30 @@ fn drop_unused(kernel: Kernel) -> Kernel {
     }
 }
 
-fn emit_kernel(generator: &mut Generator<'_>, v: usize, x: usize, result: usize, kernel: &Kernel) {
+fn emit_kernel(
+    generator: &mut Generator<'_>,
+    [v, x, result]: [usize; 3],
+    [trait_name, method]: [&str; 2],
+    kernel: &Kernel,
+    doc: &str,
+) {
     generator.check(kernel);
     let names = Names::new(generator.kind(v), Some(("x", generator.kind(x))));
-    let doc = if is_unit(generator, v) {
-        "The unit versor applied to `x`, `V x̂ Ṽ` (2.28)."
-    } else {
-        "The sandwich `V x̂ Ṽ`, which is `V x̂ V⁻¹` (2.28) times `V Ṽ`."
-    };
     let kind = generator.kind(result);
     let documentation = expression::documentation(doc, kernel, Some(kind), &names);
     let body = expression::body(kernel, Some(kind), &names);
     let (versor, operand, output) = (generator.name(v), generator.name(x), generator.name(result));
-    let bound = if expression::is_integral(kernel) {
-        "Number"
-    } else {
-        "Field"
-    };
+    let ring = expression::is_integral(kernel) && kernel.divisor.is_none();
+    let bound = if ring { "Number" } else { "Field" };
     let fields = kind.field_count();
     let _ = writeln!(
         generator.source,
-        "impl<T: {bound}> Sandwich<{operand}<T>> for {versor}<T> {{ type Output = {output}<T>; {} \
-         #[inline] fn sandwich(self, x: {operand}<T>) -> {output}<T> {{ {body} }} }}",
+        "impl<T: {bound}> {trait_name}<{operand}<T>> for {versor}<T> {{ type Output = {output}<T>; \
+         {} #[inline] fn {method}(self, x: {operand}<T>) -> {output}<T> {{ {body} }} }}",
         expression::doc(&documentation)
     );
     generator.record(Entry {
-        function: format!("{versor}.sandwich({operand})"),
+        function: format!("{versor}.{method}({operand})"),
         result: output,
         cost: Some(kernel.cost()),
         fields,
@@ -314,15 +382,15 @@ fn emit_kernel(generator: &mut Generator<'_>, v: usize, x: usize, result: usize,
 
 /// An application whose result is not simply the sandwich over the norm: `V x̂ V⁻¹` keeps fixed
 /// coefficients that `V x̂ Ṽ` does not, or the other way round.
-fn emit_kept(generator: &mut Generator<'_>, v: usize, x: usize, sandwich: &Sandwich) {
+fn emit_kept(generator: &mut Generator<'_>, v: usize, x: usize, sandwich: &Application) {
     let (versor, operand) = (generator.name(v), generator.name(x));
     let applied = sandwich.applied;
-    let image = generator.kind(sandwich.result);
+    let image = generator.kind(sandwich.sandwich);
     let names = Names::new(image, None);
     let fields: Vec<String> = generator
         .kind(applied)
         .fields()
-        .zip(generator.onto_fields(applied, &generator.general[sandwich.result][0]))
+        .zip(generator.onto_fields(applied, &generator.general[sandwich.sandwich][0]))
         .map(|(slot, poly)| {
             let value = match poly.is_zero() {
                 true => "T::ZERO".to_owned(),
