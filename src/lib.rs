@@ -10,7 +10,7 @@
 //!
 //! let a = Vector::new(1.0, 2.0, 3.0);
 //! let b = Vector::new(4.0, 5.0, 6.0);
-//! assert_eq!((a ^ b).to_string(), "-3 e12 + -6 e13 + -3 e23");
+//! assert_eq!((a ^ b).to_string(), "-3 e12 - 6 e13 - 3 e23");
 //! assert_eq!((a | b).to_string(), "32");
 //! ```
 
@@ -66,7 +66,7 @@ macro_rules! define_algebra {
 #[macro_export]
 macro_rules! algebra_source {
     ($($tokens:tt)*) => {
-        $crate::__macros::algebra_source! { crate = $crate::core; $($tokens)* }
+        $crate::__macros::algebra_source! { $($tokens)* }
     };
 }
 

@@ -1,5 +1,7 @@
 //! Sums of different types, references on both sides, and narrowing with a tolerance.
 
+#![expect(clippy::op_ref, reason = "references on both sides are what is tested")]
+
 ga::define_algebra!(R3);
 
 use r3::{Bivector, Even, Multivector, Scalar, Vector};
@@ -9,7 +11,7 @@ fn sums_of_different_types_widen_to_the_smallest() {
     let rotor: Even = Scalar::new(1.0) + Bivector::new(0.0, 2.0, 0.0);
     assert_eq!(rotor, Even::new(1.0, 0.0, 2.0, 0.0));
     let all: Multivector = rotor - Vector::new(1.0, 0.0, 0.0);
-    assert_eq!(all.to_string(), "1 + -1 e1 + 2 e13");
+    assert_eq!(all.to_string(), "1 - 1 e1 + 2 e13");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Conversions and small steps shared by all generated types; generated code calls them.
 
+use alloc::format;
 use core::fmt;
 
 use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
@@ -200,7 +201,8 @@ pub fn not_stored(name: &str, blade: Blade) -> ! {
     )
 }
 
-/// Writes an element as `1 + 2.5 e12`: coefficients of zero are left out, ones are implied.
+/// Writes an element as `1 - 2.5 e12`: coefficients of zero are left out, ones are implied where
+/// no precision is asked for.
 pub fn display<T: Scalar + fmt::Display>(
     f: &mut fmt::Formatter<'_>,
     fixed: &[(&str, i64, i64)],
@@ -208,28 +210,22 @@ pub fn display<T: Scalar + fmt::Display>(
 ) -> fmt::Result {
     let mut first = true;
     for (label, numerator, denominator) in fixed {
-        separate(f, &mut first)?;
-        match (*numerator, *denominator, *label) {
-            (number, 1, "1") => write!(f, "{number}")?,
-            (1, 1, label) => write!(f, "{label}")?,
-            (number, 1, label) => write!(f, "{number} {label}")?,
-            (number, below, "1") => write!(f, "{number}/{below}")?,
-            (number, below, label) => write!(f, "{number}/{below} {label}")?,
-        }
+        let number = match denominator {
+            1 => format!("{numerator}"),
+            _ => format!("{numerator}/{denominator}"),
+        };
+        term(f, &mut first, &number, label, (*numerator, *denominator) == (1, 1))?;
     }
     for (label, value) in free {
         if *value == T::ZERO {
             continue;
         }
-        separate(f, &mut first)?;
-        match *label {
-            "1" => fmt::Display::fmt(value, f)?,
-            label if *value == T::ONE => write!(f, "{label}")?,
-            label => {
-                fmt::Display::fmt(value, f)?;
-                write!(f, " {label}")?;
-            }
-        }
+        let implied = *value == T::ONE && f.precision().is_none();
+        let number = match f.precision() {
+            Some(digits) => format!("{value:.digits$}"),
+            None => format!("{value}"),
+        };
+        term(f, &mut first, &number, label, implied)?;
     }
     if first {
         fmt::Display::fmt(&T::ZERO, f)
@@ -238,11 +234,23 @@ pub fn display<T: Scalar + fmt::Display>(
     }
 }
 
-fn separate(f: &mut fmt::Formatter<'_>, first: &mut bool) -> fmt::Result {
-    if core::mem::take(first) {
-        Ok(())
-    } else {
-        f.write_str(" + ")
+/// One term with the sign that joins it to those before.
+fn term(
+    f: &mut fmt::Formatter<'_>,
+    first: &mut bool,
+    number: &str,
+    label: &str,
+    implied: bool,
+) -> fmt::Result {
+    let (sign, size) = match (core::mem::take(first), number.strip_prefix('-')) {
+        (true, _) => ("", number),
+        (false, Some(size)) => (" - ", size),
+        (false, None) => (" + ", number),
+    };
+    match (label, implied) {
+        ("1", _) => write!(f, "{sign}{size}"),
+        (_, true) => write!(f, "{sign}{label}"),
+        (_, false) => write!(f, "{sign}{size} {label}"),
     }
 }
 

@@ -35,7 +35,7 @@ macro_rules! element {
             }
 
             #[inline]
-            fn from_fn(mut coefficient: impl FnMut(usize) -> T) -> Self {
+            fn from_fn(mut coefficient: impl ::core::ops::FnMut(usize) -> T) -> Self {
                 let mut position = 0;
                 let mut next = || {
                     let value = coefficient(position);

@@ -238,7 +238,7 @@ macro_rules! element_operators {
                 $crate::ops::$product::$name(self, b)
             }
         }
-        impl<'a, T: Copy, B> ::core::ops::$operator<B> for &'a $Name<T>
+        impl<'a, T: ::core::marker::Copy, B> ::core::ops::$operator<B> for &'a $Name<T>
         where
             $Name<T>: $crate::ops::$product<B>,
         {

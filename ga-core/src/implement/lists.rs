@@ -113,7 +113,7 @@ macro_rules! references {
         })*
     };
     (@each $Left:ident $Right:ident $($trait:ident $method:ident),*) => {$(
-        impl<'b, T: Copy> $crate::ops::$trait<&'b $Right<T>> for $Left<T>
+        impl<'b, T: ::core::marker::Copy> $crate::ops::$trait<&'b $Right<T>> for $Left<T>
         where
             $Left<T>: $crate::ops::$trait<$Right<T>>,
         {

@@ -23,7 +23,7 @@ macro_rules! element_methods {
 
             /// The element with each coefficient mapped.
             #[inline]
-            pub fn map<U: $crate::Scalar>(self, mut function: impl FnMut(T) -> U) -> $Name<U> {
+            pub fn map<U: $crate::Scalar>(self, mut function: impl ::core::ops::FnMut(T) -> U) -> $Name<U> {
                 $Name { $($field: function(self.$field)),* }
             }
 
@@ -116,7 +116,7 @@ macro_rules! element_methods {
             #[inline]
             pub fn project<B>(self, b: B) -> $crate::convert::Projection<Self, B>
             where
-                B: $crate::ops::Inverse + Copy,
+                B: $crate::ops::Inverse + ::core::marker::Copy,
                 Self: $crate::ops::LeftContract<B>,
                 <Self as $crate::ops::LeftContract<B>>::Output:
                     $crate::ops::LeftContract<<B as $crate::ops::Inverse>::Output>,
@@ -129,7 +129,7 @@ macro_rules! element_methods {
             #[inline]
             pub fn reject<B>(self, b: B) -> $crate::convert::Rejection<Self, B>
             where
-                B: $crate::ops::Inverse + Copy,
+                B: $crate::ops::Inverse + ::core::marker::Copy,
                 Self: $crate::ops::Wedge<B>,
                 <Self as $crate::ops::Wedge<B>>::Output:
                     $crate::ops::RightContract<<B as $crate::ops::Inverse>::Output>,
