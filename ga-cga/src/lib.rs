@@ -26,6 +26,7 @@
 
 mod algebra;
 mod flat;
+pub mod interop;
 mod round;
 mod versor;
 

@@ -4,7 +4,7 @@
 //! with its fields, each with label, bitmask and orientation sign.
 
 mod arithmetic;
-mod features;
+pub mod features;
 mod format;
 mod lists;
 mod methods;

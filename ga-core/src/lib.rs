@@ -23,6 +23,8 @@ pub mod table;
 
 pub use blade::{Blade, reorder_sign};
 pub use convert::Narrowing;
+#[doc(hidden)]
+pub use implement::features::crates;
 pub use involution::Involution;
 pub use metric::{Metric, MetricError};
 pub use ops::Element;

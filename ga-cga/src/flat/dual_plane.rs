@@ -17,7 +17,12 @@ impl<T: Scalar> DualPlane<T> {
     /// ```
     pub fn at_distance(normal: Vector3<T>, distance: T) -> Self {
         let [e1, e2, e3] = normal.to_array();
-        DualPlane { e1, e2, e3, ni: distance }
+        DualPlane {
+            e1,
+            e2,
+            e3,
+            ni: distance,
+        }
     }
 
     /// The normal, as long as the plane's weight.

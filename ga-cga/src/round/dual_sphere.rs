@@ -29,15 +29,17 @@ impl<T: Field> DualSphere<T> {
     /// The squared radius σ²/(σ·n_∞)²; `None` for a plane, which has none.
     pub fn radius_squared(self) -> Option<T> {
         let weight_squared = self.weight() * self.weight();
-        weight_squared.is_invertible().then(|| self.norm_squared() / weight_squared)
+        weight_squared
+            .is_invertible()
+            .then(|| self.norm_squared() / weight_squared)
     }
 
     /// The centre; `None` for a plane, which has none.
     pub fn center(self) -> Option<Point<T>> {
         let weight = self.weight();
-        weight.is_invertible().then(|| {
-            Point::at(self.e1 / weight, self.e2 / weight, self.e3 / weight)
-        })
+        weight
+            .is_invertible()
+            .then(|| Point::at(self.e1 / weight, self.e2 / weight, self.e3 / weight))
     }
 }
 
@@ -51,6 +53,9 @@ impl<T: Real> DualSphere<T> {
 impl<T: Scalar> DualSphere<T> {
     /// The point at infinity n_∞.
     pub fn infinity() -> Self {
-        DualSphere { ni: T::ONE, ..DualSphere::default() }
+        DualSphere {
+            ni: T::ONE,
+            ..DualSphere::default()
+        }
     }
 }

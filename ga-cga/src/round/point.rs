@@ -44,6 +44,11 @@ impl<T: Field> From<Vector3<T>> for Point<T> {
     /// The point at this position, n_o + **x** + ½**x**² n_∞ (2.44).
     fn from(x: Vector3<T>) -> Self {
         let [e1, e2, e3] = x.to_array();
-        Point { e1, e2, e3, ni: x.norm_squared() * T::from_ratio(1, 2) }
+        Point {
+            e1,
+            e2,
+            e3,
+            ni: x.norm_squared() * T::from_ratio(1, 2),
+        }
     }
 }

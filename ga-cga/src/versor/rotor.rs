@@ -31,6 +31,9 @@ impl<T: Real> Rotor<T> {
 
     /// The identity.
     pub fn identity() -> Self {
-        Rotor { s: T::ONE, ..Rotor::default() }
+        Rotor {
+            s: T::ONE,
+            ..Rotor::default()
+        }
     }
 }

@@ -80,6 +80,52 @@ macro_rules! shared {
     };
 }
 
+/// Sums and differences of different types, in the smallest type that holds both.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! sums {
+    ($bound:ident $Left:ident: $($Right:ident => $Sum:ident),*) => {$(
+        impl<T: $crate::$bound> ::core::ops::Add<$Right<T>> for $Left<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn add(self, b: $Right<T>) -> $Sum<T> {
+                $Sum::from(self) + $Sum::from(b)
+            }
+        }
+        impl<T: $crate::$bound> ::core::ops::Sub<$Right<T>> for $Left<T> {
+            type Output = $Sum<T>;
+            #[inline]
+            fn sub(self, b: $Right<T>) -> $Sum<T> {
+                $Sum::from(self) - $Sum::from(b)
+            }
+        }
+    )*};
+}
+
+/// The products that have operators, with a reference on the right.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! references {
+    ($Left:ident: $($Right:ident),*) => {
+        $($crate::references! { @each $Left $Right
+            Geometric geometric, Wedge wedge, Inner inner, Regressive regressive,
+            LeftContract left_contract, Quotient quotient
+        })*
+    };
+    (@each $Left:ident $Right:ident $($trait:ident $method:ident),*) => {$(
+        impl<'b, T: Copy> $crate::ops::$trait<&'b $Right<T>> for $Left<T>
+        where
+            $Left<T>: $crate::ops::$trait<$Right<T>>,
+        {
+            type Output = <$Left<T> as $crate::ops::$trait<$Right<T>>>::Output;
+            #[inline]
+            fn $method(self, b: &'b $Right<T>) -> Self::Output {
+                $crate::ops::$trait::$method(self, *b)
+            }
+        }
+    )*};
+}
+
 /// Narrowing conversions, the inverses of the widening ones.
 #[doc(hidden)]
 #[macro_export]

@@ -7,6 +7,7 @@ macro_rules! element_methods {
     ($Name:ident $Sum:ident { $($field:ident $label:literal $mask:literal $sign:literal,)* }) => {
         impl<T> $Name<T> {
             /// The element with these coefficients, in the order of the fields.
+            #[allow(clippy::too_many_arguments)]
             #[inline]
             pub const fn new($($field: T),*) -> Self {
                 Self { $($field),* }
@@ -43,6 +44,21 @@ macro_rules! element_methods {
                     .iter()
                     .any(|(own, _)| *own == blade)
                     .then(|| $crate::ops::Element::coefficient(self, blade))
+            }
+
+            /// The same element as a narrower type, if every coefficient that the narrower type
+            /// does not store is within `tolerance` times the largest one of zero, or of its
+            /// fixed value.
+            ///
+            /// # Errors
+            /// [`Narrowing`]($crate::Narrowing) with the first blade that is in the way.
+            #[inline]
+            pub fn narrow<B>(self, tolerance: T) -> ::core::result::Result<B, $crate::Narrowing>
+            where
+                T: $crate::Real,
+                B: $crate::ops::Element<Number = T>,
+            {
+                $crate::convert::narrow(self, tolerance)
             }
 
             /// The norm `√|⟨X X̃⟩|` (2.21).

@@ -28,17 +28,17 @@ pub fn smallest(model: &Model, element: &Element) -> Option<usize> {
 /// The type that sums and multiples of a type belong to: itself, or the smallest without the
 /// fixed coefficients.
 pub fn sum_type(model: &Model, index: usize) -> Option<usize> {
-    let kind = &model.types[index];
-    if !kind.has_fixed() {
+    if !model.types[index].has_fixed() {
         return Some(index);
     }
-    let holds_all = |other: &Type| {
-        !other.has_fixed()
-            && kind
-                .slots
-                .iter()
-                .all(|slot| other.slot(slot.mask).is_some())
-    };
+    sum_type_of_both(model, index, index)
+}
+
+/// The smallest type without fixed coefficients that holds all blades of two types.
+pub fn sum_type_of_both(model: &Model, a: usize, b: usize) -> Option<usize> {
+    let slots = || model.types[a].slots.iter().chain(&model.types[b].slots);
+    let holds_all =
+        |other: &Type| !other.has_fixed() && slots().all(|slot| other.slot(slot.mask).is_some());
     (0..model.types.len())
         .filter(|&i| holds_all(&model.types[i]))
         .min_by_key(|&i| model.types[i].field_count())

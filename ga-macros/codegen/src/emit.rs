@@ -127,6 +127,7 @@ pub fn emit(model: &Model, errors: &mut Errors) -> Output {
     let structs = types::declarations(&generator);
     types::elements(&mut generator);
     convert::conversions(&mut generator);
+    convert::conveniences(&mut generator);
     involutions::involutions(&mut generator);
     products::products(&mut generator);
     versors::versors(&mut generator);

@@ -1,14 +1,25 @@
 //! Products of general elements: one polynomial per blade of the result.
 
 use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
+use ga_core::product::Rule;
 use ga_core::{Blade, Metric, Product, Rational};
 
 use crate::poly::Element;
 
 type Row = Rc<[(u32, Rational)]>;
+
+/// What is known of a product without its polynomials.
+pub struct Reach {
+    /// The blades it can have.
+    pub blades: BTreeSet<u32>,
+    /// The number of its terms.
+    pub terms: usize,
+    /// Whether all its coefficients are integers.
+    pub integral: bool,
+}
 
 /// The multiplication tables of one metric, filled as they are asked for.
 pub struct Tables<'m> {
@@ -55,6 +66,39 @@ impl<'m> Tables<'m> {
             .borrow_mut()
             .insert((which, a, b), Rc::clone(&row));
         row
+    }
+
+    /// What a product of two lists of blades can reach.
+    pub fn reach(&self, which: Product, a: &[u32], b: &[u32]) -> Reach {
+        let mut reach = Reach {
+            blades: BTreeSet::new(),
+            terms: 0,
+            integral: true,
+        };
+        let mut add = |mask: u32, value: &Rational| {
+            reach.blades.insert(mask);
+            reach.terms += 1;
+            reach.integral &= value.is_integer();
+        };
+        for left in a {
+            for right in b {
+                // One table serves all products that are parts of the geometric product.
+                match which.row().rule {
+                    Rule::Grades(keep) => {
+                        let row = self.blades(Product::Geometric, *left, *right);
+                        let grades = (left.count_ones(), right.count_ones());
+                        row.iter()
+                            .filter(|(mask, _)| keep(grades.0, grades.1, mask.count_ones()))
+                            .for_each(|(mask, value)| add(*mask, value));
+                    }
+                    Rule::Complements => {
+                        let row = self.blades(which, *left, *right);
+                        row.iter().for_each(|(mask, value)| add(*mask, value));
+                    }
+                }
+            }
+        }
+        reach
     }
 
     /// The product of two elements; `wanted` says which blades of the result are of interest.

@@ -1,4 +1,5 @@
-//! Conversions between types: widening that cannot fail, narrowing with a tolerance.
+//! Conversions between types: widening that cannot fail, narrowing with a tolerance, and the sums
+//! of different types, which widen both.
 
 use std::fmt::Write;
 
@@ -20,6 +21,49 @@ impl Generator<'_> {
             })
             .collect()
     }
+}
+
+/// Up to how many types an algebra has sums of different types and products with references on
+/// the right: their number grows with the square of the types, and with it the time to compile.
+const CONVENIENT: usize = 16;
+
+/// Emits the sums of different types and the products with references on the right.
+pub fn conveniences(generator: &mut Generator<'_>) {
+    let count = generator.model.types.len();
+    if count > CONVENIENT {
+        return;
+    }
+    let mut source = String::new();
+    for a in 0..count {
+        let name = generator.name(a);
+        let all: Vec<String> = (0..count).map(|b| generator.name(b)).collect();
+        let _ = writeln!(
+            source,
+            "algebra::references! {{ {name}: {} }}",
+            all.join(", ")
+        );
+        for bound in ["Scalar", "Field"] {
+            let sums: Vec<String> = (0..count)
+                .filter(|&b| b != a)
+                .filter(|&b| {
+                    let fixed = generator.kind(a).has_fixed() || generator.kind(b).has_fixed();
+                    fixed == (bound == "Field")
+                })
+                .filter_map(|b| {
+                    let sum = closure::sum_type_of_both(generator.model, a, b)?;
+                    Some(format!("{} => {}", generator.name(b), generator.name(sum)))
+                })
+                .collect();
+            if !sums.is_empty() {
+                let _ = writeln!(
+                    source,
+                    "algebra::sums! {{ {bound} {name}: {} }}",
+                    sums.join(", ")
+                );
+            }
+        }
+    }
+    generator.source.push_str(&source);
 }
 
 /// Emits `From` for every pair in which the second type holds all values of the first, and

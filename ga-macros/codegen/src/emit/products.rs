@@ -10,7 +10,7 @@ use super::expression::{self, Names};
 use crate::closure;
 use crate::factor::Kernel;
 use crate::ledger::Entry;
-use crate::poly::{Element, Poly};
+use crate::poly::{Element, Monomial, Poly, Variable};
 
 /// From how many terms on a product loops over the table of the algebra.
 fn loop_from(dimension: usize) -> usize {
@@ -30,15 +30,9 @@ pub fn products(generator: &mut Generator<'_>) {
         let mut shared: Vec<(Product, Vec<String>)> = Vec::new();
         for b in 0..count {
             for &product in &generator.model.products {
-                let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
-                let element = generator.tables.product(product, left, right);
-                if element.is_empty() {
-                    let name = generator.name(b);
-                    add(&mut vanishing, product, name);
-                    continue;
-                }
-                match emit_product(generator, product, a, b, &element) {
+                match emit_pair(generator, product, a, b) {
                     Emitted::Nothing | Emitted::Unrolled => {}
+                    Emitted::Vanishes => add(&mut vanishing, product, generator.name(b)),
                     Emitted::Loop => loops = true,
                     Emitted::Shared(entry) => add(&mut shared, product, entry),
                 }
@@ -47,7 +41,11 @@ pub fn products(generator: &mut Generator<'_>) {
         let name = generator.name(a);
         for (product, list) in shared {
             let (trait_name, method) = (product.trait_name(), product.method());
-            let number = if product == Product::ScalarProduct { "number" } else { "" };
+            let number = if product == Product::ScalarProduct {
+                "number"
+            } else {
+                ""
+            };
             let _ = writeln!(
                 generator.source,
                 "algebra::shared! {{ {trait_name} {method} {name} {number}: {} }}",
@@ -85,6 +83,8 @@ fn result_type(generator: &Generator<'_>, product: Product, element: &Element) -
 enum Emitted {
     /// No declared type holds it.
     Nothing,
+    /// It is zero whatever the operands.
+    Vanishes,
     /// A function with a body of its own.
     Unrolled,
     /// A function that loops over the table of the algebra.
@@ -101,38 +101,116 @@ fn add(lists: &mut Vec<(Product, Vec<String>)>, product: Product, entry: String)
     }
 }
 
-/// Emits one product.
-fn emit_product(
-    generator: &mut Generator<'_>,
-    product: Product,
-    a: usize,
-    b: usize,
-    element: &Element,
-) -> Emitted {
-    let Some(result) = result_type(generator, product, element) else {
+/// Emits one product of two types.
+fn emit_pair(generator: &mut Generator<'_>, product: Product, a: usize, b: usize) -> Emitted {
+    let size = generator.kind(a).slots.len() * generator.kind(b).slots.len();
+    if size > loop_from(generator.model.dimension()) {
+        return emit_loop(generator, product, a, b);
+    }
+    let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
+    let element = generator.tables.product(product, left, right);
+    if element.is_empty() {
+        return Emitted::Vanishes;
+    }
+    let Some(result) = result_type(generator, product, &element) else {
         return Emitted::Nothing;
     };
+    emit_unrolled(generator, product, [a, b], result, &element)
+}
+
+/// Emits a product as a loop over the table of the algebra. Its polynomials would be long, so
+/// only the blades that it can have are looked at.
+fn emit_loop(generator: &mut Generator<'_>, product: Product, a: usize, b: usize) -> Emitted {
+    let masks = |index: usize| -> Vec<u32> {
+        generator
+            .kind(index)
+            .slots
+            .iter()
+            .map(|slot| slot.mask)
+            .collect()
+    };
+    let reach = generator.tables.reach(product, &masks(a), &masks(b));
+    if reach.blades.is_empty() {
+        return Emitted::Vanishes;
+    }
+    let variable = Monomial::of(Variable {
+        operand: 0,
+        slot: 0,
+    });
+    let any = Poly::term(variable, Rational::from_integer(1));
+    let element: Element = reach
+        .blades
+        .iter()
+        .map(|mask| (*mask, any.clone()))
+        .collect();
+    let Some(result) = result_type(generator, product, &element) else {
+        return Emitted::Nothing;
+    };
+    let (left, right, name) = (generator.name(a), generator.name(b), generator.name(result));
+    let number = product == Product::ScalarProduct;
+    let output = if number {
+        "T".to_owned()
+    } else {
+        format!("{name}<T>")
+    };
+    let (trait_name, method) = (product.trait_name(), product.method());
+    let documentation = format!(
+        " {} A loop over the table of the geometric product: {} terms.",
+        product.doc(),
+        reach.terms,
+    );
+    let fractions = [a, b]
+        .into_iter()
+        .any(|index| generator.kind(index).has_fractions());
+    let integral = reach.integral && !fractions;
+    let (bound, call) = if integral {
+        ("Number", "integral")
+    } else {
+        ("Field", "product")
+    };
+    let field = if number { ".s" } else { "" };
+    let value =
+        format!("TABLE.{call}::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){field}");
+    let _ = writeln!(
+        generator.source,
+        "impl<T: {bound}> {trait_name}<{right}<T>> for {left}<T> {{ type Output = {output}; {} \
+         fn {method}(self, b: {right}<T>) -> {output} {{ {value} }} }}",
+        expression::doc(&documentation),
+    );
+    let fields = if number {
+        1
+    } else {
+        generator.kind(result).field_count()
+    };
+    let function = format!("{left}.{method}({right})");
+    generator.record(Entry {
+        function,
+        result: name,
+        cost: None,
+        fields,
+        form: "loop".to_owned(),
+    });
+    Emitted::Loop
+}
+
+/// Emits a product with a body of its own, or as a call of one emitted before.
+fn emit_unrolled(
+    generator: &mut Generator<'_>,
+    product: Product,
+    [a, b]: [usize; 2],
+    result: usize,
+    element: &Element,
+) -> Emitted {
     let names = Names::new(generator.kind(a), Some(("b", generator.kind(b))));
     let is_number = product == Product::ScalarProduct;
     let kernel = Kernel::expanded(generator.onto_fields(result, element));
     generator.check(&kernel);
-    let looped = kernel.terms() > loop_from(generator.model.dimension());
-    // A loop reads fixed coefficients one by one, not multiplied together.
-    let fractions = looped && [a, b].iter().any(|&i| generator.kind(i).has_fractions());
-    let integral = expression::is_integral(&kernel) && !fractions;
+    let integral = expression::is_integral(&kernel);
     let call = hand_on(generator, product, a, b, result, &kernel)
         .or_else(|| widened(generator, product, a, b, result));
     let (left, right) = (generator.name(a), generator.name(b));
     let result_kind = (!is_number).then(|| generator.kind(result));
-    let documentation = if looped {
-        let terms = kernel.terms();
-        format!(
-            " {} A loop over the table of the geometric product: {terms} terms.",
-            product.doc()
-        )
-    } else {
-        expression::documentation(product.doc(), &kernel, result_kind, &names)
-    };
+    let documentation = expression::documentation(product.doc(), &kernel, result_kind, &names);
     let output = if is_number {
         "T".to_owned()
     } else {
@@ -148,28 +226,27 @@ fn emit_product(
     if let Some(call) = call.filter(|_| integral) {
         entry.form = call.form.to_owned();
         generator.record(entry);
-        let output = if is_number { String::new() } else { format!("=> {output}") };
-        let text = format!("{} {right} {output} ({}) {documentation:?},", call.form, call.words);
+        let output = if is_number {
+            String::new()
+        } else {
+            format!("=> {output}")
+        };
+        let text = format!(
+            "{} {right} {output} ({}) {documentation:?},",
+            call.form, call.words
+        );
         return Emitted::Shared(text);
     }
-    let body = if looped {
-        entry.form = "loop".to_owned();
-        looped_body(generator, product, result, integral)
-    } else {
-        entry.form = kernel.form.to_owned();
-        entry.cost = Some(kernel.cost());
-        expression::body(&kernel, result_kind, &names)
-    };
+    entry.form = kernel.form.to_owned();
+    entry.cost = Some(kernel.cost());
+    generator.record(entry);
+    let body = expression::body(&kernel, result_kind, &names);
     let output = if is_number {
         output
     } else {
         format!("{output}<T>")
     };
-    let bound = if integral {
-        "Number"
-    } else {
-        "Field"
-    };
+    let bound = if integral { "Number" } else { "Field" };
     let (trait_name, method) = (product.trait_name(), product.method());
     let _ = writeln!(
         generator.source,
@@ -177,12 +254,7 @@ fn emit_product(
          #[inline] fn {method}(self, b: {right}<T>) -> {output} {{ {body} }} }}",
         expression::doc(&documentation),
     );
-    generator.record(entry);
-    if looped {
-        Emitted::Loop
-    } else {
-        Emitted::Unrolled
-    }
+    Emitted::Unrolled
 }
 
 /// How a function calls another one.
@@ -304,6 +376,11 @@ fn widened(
     if (wide_a, wide_b) == (a, b) || !large || generator.model.dimension() < 4 {
         return None;
     }
+    // A loop would be slower than the few terms of the pair.
+    let size = generator.kind(wide_a).slots.len() * generator.kind(wide_b).slots.len();
+    if size > loop_from(generator.model.dimension()) {
+        return None;
+    }
     let element = generator.tables.product(
         product,
         &generator.general[wide_a][0],
@@ -317,22 +394,6 @@ fn widened(
         form: "widened",
         words,
     })
-}
-
-fn looped_body(
-    generator: &Generator<'_>,
-    product: Product,
-    result: usize,
-    integral: bool,
-) -> String {
-    let number = if product == Product::ScalarProduct {
-        ".s"
-    } else {
-        ""
-    };
-    let name = generator.name(result);
-    let method = if integral { "integral" } else { "product" };
-    format!("TABLE.{method}::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){number}")
 }
 
 /// The table of the geometric product as one literal: for each pair of blades, in the order of

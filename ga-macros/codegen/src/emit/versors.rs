@@ -10,6 +10,7 @@ use ga_core::{Involution, Product};
 
 use super::Generator;
 use super::expression::{self, Names};
+use crate::closure;
 use crate::factor::Kernel;
 use crate::ledger::Entry;
 use crate::poly::{Element, Poly, graded_signs};
@@ -77,20 +78,19 @@ fn norm(generator: &mut Generator<'_>, a: usize) {
 /// `A / B = A B⁻¹` for every pair whose product exists.
 fn quotients(generator: &mut Generator<'_>) {
     let count = generator.model.types.len();
+    let inverses: Vec<Option<usize>> = (0..count).map(|b| inverse::result(generator, b)).collect();
     let mut source = String::new();
     for a in 0..count {
+        let exists = |inverse: usize| {
+            // Where the types of both parities exist, every product has a type.
+            generator.model.is_complete() || {
+                let (left, right) = (&generator.general[a][0], &generator.general[inverse][1]);
+                let product = generator.tables.product(Product::Geometric, left, right);
+                closure::smallest(generator.model, &product).is_some()
+            }
+        };
         let divisors: Vec<String> = (0..count)
-            .filter(|&b| {
-                inverse::result(generator, b).is_some_and(|inverse| {
-                    let right = &generator.general[inverse][1];
-                    let product = generator.tables.product(
-                        Product::Geometric,
-                        &generator.general[a][0],
-                        right,
-                    );
-                    crate::closure::smallest(generator.model, &product).is_some()
-                })
-            })
+            .filter(|&b| inverses[b].is_some_and(exists))
             .map(|b| generator.name(b))
             .collect();
         if !divisors.is_empty() {

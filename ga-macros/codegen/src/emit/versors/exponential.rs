@@ -175,15 +175,25 @@ fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
     let one = ga_core::Rational::from_integer(1);
     let kind = generator.kind(a);
     let fixed_one = |slot: &crate::model::Slot| slot.mask == 0 && slot.fixed == Some(one);
-    if !kind.slots.iter().all(|slot| slot.fixed.is_none() || fixed_one(slot)) {
+    if !kind
+        .slots
+        .iter()
+        .all(|slot| slot.fixed.is_none() || fixed_one(slot))
+    {
         return;
     }
     let mut part = generator.general[a][0].clone();
     part.remove(&0);
-    if !generator.tables.product(Product::Geometric, &part, &part).is_empty() {
+    if !generator
+        .tables
+        .product(Product::Geometric, &part, &part)
+        .is_empty()
+    {
         return;
     }
-    let Some(result) = closure::smallest(generator.model, &part) else { return };
+    let Some(result) = closure::smallest(generator.model, &part) else {
+        return;
+    };
     let names = names(generator, a);
     let fields = |index: usize, factor: &str| -> String {
         generator
@@ -192,7 +202,11 @@ fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
             .zip(generator.onto_fields(index, &part))
             .map(|(slot, poly)| match poly.is_zero() {
                 true => format!("{}: T::ZERO", slot.field),
-                false => format!("{}: {}{factor}", slot.field, expression::code(&poly, &names)),
+                false => format!(
+                    "{}: {}{factor}",
+                    slot.field,
+                    expression::code(&poly, &names)
+                ),
             })
             .collect::<Vec<_>>()
             .join(", ")

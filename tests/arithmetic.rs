@@ -1,0 +1,41 @@
+//! Sums of different types, references on both sides, and narrowing with a tolerance.
+
+ga::define_algebra!(R3);
+
+use r3::{Bivector, Even, Multivector, Scalar, Vector};
+
+#[test]
+fn sums_of_different_types_widen_to_the_smallest() {
+    let rotor: Even = Scalar::new(1.0) + Bivector::new(0.0, 2.0, 0.0);
+    assert_eq!(rotor, Even::new(1.0, 0.0, 2.0, 0.0));
+    let all: Multivector = rotor - Vector::new(1.0, 0.0, 0.0);
+    assert_eq!(all.to_string(), "1 + -1 e1 + 2 e13");
+}
+
+#[test]
+fn products_take_references_on_both_sides() {
+    let (a, b) = (Vector::new(1.0, 2.0, 3.0), Vector::new(4.0, 5.0, 6.0));
+    assert_eq!(&a * &b, a * b);
+    assert_eq!(a ^ &b, a ^ b);
+    assert_eq!(&a | b, a | b);
+    assert_eq!(&a + &b, a + b);
+    assert_eq!(-&a, -a);
+    assert_eq!(&a * 2.0, 2.0 * &a);
+    assert_eq!(a / &b, a / b);
+}
+
+#[test]
+fn literals_keep_inferring_in_single_precision() {
+    let a: Vector<f32> = Vector::new(1.0, 2.0, 3.0);
+    assert_eq!(a * 2.0, Vector::new(2.0, 4.0, 6.0));
+    assert_eq!(a / 2.0, Vector::new(0.5, 1.0, 1.5));
+}
+
+#[test]
+fn narrowing_asks_for_a_tolerance() {
+    let nearly = Even::new(1e-9, 1.0, 0.0, 0.0);
+    let plane: Bivector = nearly.try_into().expect("1e-9 is negligible");
+    assert_eq!(plane, Bivector::new(1.0, 0.0, 0.0));
+    let strict: Result<Bivector, _> = nearly.narrow(1e-12);
+    assert_eq!(strict.unwrap_err().blade, ga::core::Blade::SCALAR);
+}
