@@ -37,8 +37,7 @@ pub struct Arguments {
     /// several times; if one file cannot be made, none is.
     #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(Destination::new))]
     out: Vec<Destination>,
-    /// Print JSON: {number, hm, cell:{a, b, c, alpha, beta, gamma, …}, atoms:[{label, element,
-    /// fract:[3], cart:[3], occupancy}], …}.
+    /// Print JSON: the contract is told by --help.
     #[arg(long, long_help = JSON)]
     json: bool,
 }

@@ -19,9 +19,8 @@ pub struct Arguments {
     /// the fields of its result, and how it was derived.
     #[arg(long)]
     ledger: bool,
-    /// Print JSON: {source}, or with --ledger {functions:[{function, result, multiplications,
-    /// additions, fields, form}], tokens}; a count is null where a function hands on to another.
-    #[arg(long)]
+    /// Print the Rust or the ledger as JSON.
+    #[arg(long, help = JSON)]
     json: bool,
 }
 
@@ -29,6 +28,10 @@ const EXAMPLES: &str = "Examples:
   articulate expand R3 > r3.rs
   articulate expand R4_1 --ledger | grep apply
   articulate expand src/algebra.rs --ledger --json";
+
+const JSON: &str = "Print JSON: {source}, or with --ledger {functions:[{function, result, multiplications, \
+                    additions, fields, form}], tokens}; a count is null where a function hands on to \
+                    another";
 
 #[derive(Serialize)]
 struct Source {

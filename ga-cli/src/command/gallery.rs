@@ -25,15 +25,17 @@ pub struct Arguments {
         value_parser = PossibleValuesParser::new(entries().iter().map(|entry| entry.name))
     )]
     only: Vec<String>,
-    /// Print the scenes and their files as JSON:
-    /// {index, scenes:[{name, title, caption, glb, png}]}.
-    #[arg(long)]
+    /// Print the scenes and their files as JSON.
+    #[arg(long, help = JSON)]
     json: bool,
 }
 
 const EXAMPLES: &str = "Examples:
   articulate gallery
   articulate gallery --only quartz,covariance --out pictures";
+
+const JSON: &str = "Print the scenes and their files as JSON: {index, scenes:[{name, title, caption, glb, \
+                    png}]}";
 
 #[derive(Serialize)]
 struct Made<'a> {
