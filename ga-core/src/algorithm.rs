@@ -19,10 +19,11 @@ fn scalar<M: Element>(value: M::Number) -> M {
 /// Adjugate and determinant of a multivector of an algebra with `blades` basis blades, by the
 /// Faddeev–LeVerrier recursion: A⁻¹ = P / det.
 ///
-/// `M` must hold the whole algebra, or an ideal-free subalgebra such as all even elements.
+/// `M` must hold the whole algebra, or an ideal-free subalgebra such as all even elements; its
+/// products may have another type of the same blades.
 pub fn adjugate<M>(a: M, blades: usize) -> (M, M::Number)
 where
-    M: Element + Geometric<M, Output = M> + Sub<Output = M>,
+    M: Element + Geometric<M, Output: Into<M>> + Sub<Output = M>,
     M::Number: Field,
 {
     let dimension = blades.trailing_zeros();
@@ -32,7 +33,7 @@ where
     for step in 1..order {
         let trace = M::Number::from_ratio(order, step) * power.coefficient(crate::Blade::SCALAR);
         adjugate = power - scalar(trace);
-        power = a.geometric(adjugate);
+        power = a.geometric(adjugate).into();
     }
     (adjugate, power.coefficient(crate::Blade::SCALAR))
 }
@@ -43,7 +44,7 @@ where
 /// An argument that is not finite gives a result that is not finite.
 pub fn exponential<M>(a: M) -> M
 where
-    M: Element + Geometric<M, Output = M> + Geometric<M::Number, Output = M> + Add<Output = M>,
+    M: Element + Geometric<M, Output: Into<M>> + Geometric<M::Number, Output = M> + Add<Output = M>,
     M::Number: Real,
 {
     let half = M::Number::from_ratio(1, 2);
@@ -61,9 +62,8 @@ where
     let mut sum = term;
     // Metrics with large entries converge later than the coefficients suggest.
     for step in 1..=200_i64 {
-        term = term
-            .geometric(argument)
-            .geometric(M::Number::from_ratio(1, step));
+        let next: M = term.geometric(argument).into();
+        term = next.geometric(M::Number::from_ratio(1, step));
         sum = sum + term;
         let negligible = size(&sum) * M::Number::from_f64(1e-18);
         if step > 4 && size(&term).all_le(negligible) {
@@ -71,7 +71,7 @@ where
         }
     }
     for _ in 0..squarings {
-        sum = sum.geometric(sum);
+        sum = sum.geometric(sum).into();
     }
     sum
 }

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
-use crate::{Field, Real, Scalar};
+use crate::{Blade, Field, Real, Scalar};
 
 /// The type of `a.project(b)`.
 pub type Projection<A, B> =
@@ -53,21 +53,44 @@ pub fn pick<Wide, Narrow>(wide: Wide) -> Narrow
 where
     Wide: Element,
     Narrow: Element<Number = Wide::Number>,
+    Wide::Number: Field,
 {
-    Narrow::from_fn(|i| signed(Narrow::BLADES[i].1, wide.coefficient(Narrow::BLADES[i].0)))
+    Narrow::from_fn(|i| signed(Narrow::BLADES[i].1, coefficient(&wide, Narrow::BLADES[i].0)))
 }
 
-/// [`pick`] with the odd grades negated.
+/// The coefficient of a blade in increasing order, stored or fixed.
 #[inline]
-pub fn pick_involuted<Wide, Narrow>(wide: Wide) -> Narrow
+fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number
+where
+    X::Number: Field,
+{
+    match X::FIXED.iter().find(|(fixed, ..)| *fixed == blade) {
+        Some((_, sign, numerator, denominator)) => {
+            signed(*sign, X::Number::from_ratio(*numerator, *denominator))
+        }
+        None => x.coefficient(blade),
+    }
+}
+
+/// The image of a versor application from the unrestricted `V x Ṽ`: only grades that the
+/// operand has, the odd ones negated for an odd versor.
+#[inline]
+pub fn image<Wide, Operand, Narrow>(wide: Wide, odd: bool) -> Narrow
 where
     Wide: Element,
+    Operand: Element,
     Narrow: Element<Number = Wide::Number>,
+    Wide::Number: Field,
 {
     Narrow::from_fn(|i| {
         let (blade, sign) = Narrow::BLADES[i];
-        let value = signed(sign, wide.coefficient(blade));
-        if blade.grade() % 2 == 1 {
+        let same = |other: &Blade| other.grade() == blade.grade();
+        let stored = Operand::BLADES.iter().any(|(other, _)| same(other));
+        if !stored && !Operand::FIXED.iter().any(|(other, ..)| same(other)) {
+            return Wide::Number::ZERO;
+        }
+        let value = signed(sign, coefficient(&wide, blade));
+        if odd && blade.grade() % 2 == 1 {
             -value
         } else {
             value
@@ -85,7 +108,7 @@ fn signed<T: Scalar>(sign: i8, value: T) -> T {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Narrowing {
     /// The blade whose coefficient is in the way.
-    pub blade: crate::Blade,
+    pub blade: Blade,
 }
 
 impl Narrowing {
@@ -143,8 +166,23 @@ where
             return Err(Narrowing { blade: *blade });
         }
     }
-    let absent = |blade: &crate::Blade| Wide::BLADES.iter().all(|(stored, _)| stored != blade);
-    if let Some((blade, ..)) = Narrow::FIXED.iter().find(|(blade, ..)| absent(blade)) {
+    // What the narrow type fixes and the wide one does not store, the wide one has to fix at
+    // the same value; absent coefficients are zero.
+    for (blade, sign, numerator, denominator) in Narrow::FIXED {
+        if Wide::BLADES.iter().any(|(stored, _)| stored == blade) {
+            continue;
+        }
+        let own = signed(*sign, Wide::Number::from_ratio(*numerator, *denominator));
+        if coefficient(&wide, *blade) != own {
+            return Err(Narrowing { blade: *blade });
+        }
+    }
+    // What the wide type fixes has to have a place in the narrow one.
+    let placed = |blade: &Blade| {
+        Narrow::BLADES.iter().any(|(stored, _)| stored == blade)
+            || Narrow::FIXED.iter().any(|(fixed, ..)| fixed == blade)
+    };
+    if let Some((blade, ..)) = Wide::FIXED.iter().find(|(blade, ..)| !placed(blade)) {
         return Err(Narrowing { blade: *blade });
     }
     Ok(pick(wide))
@@ -155,7 +193,7 @@ where
 /// # Panics
 /// Always, as indexing beyond a collection does.
 #[cold]
-pub fn not_stored(name: &str, blade: crate::Blade) -> ! {
+pub fn not_stored(name: &str, blade: Blade) -> ! {
     panic!(
         "`{name}` does not store the blade {:#b}; `get` answers with an `Option`",
         blade.mask()

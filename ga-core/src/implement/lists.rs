@@ -228,12 +228,12 @@ macro_rules! quotients {
 #[macro_export]
 macro_rules! composed_sandwich {
     ($Versor:ident even: $($Operand:ident => $Result:ident),*) => {$(
-        $crate::composed_sandwich! { @one $Versor $Operand $Result pick }
+        $crate::composed_sandwich! { @one $Versor $Operand $Result false }
     )*};
     ($Versor:ident odd: $($Operand:ident => $Result:ident),*) => {$(
-        $crate::composed_sandwich! { @one $Versor $Operand $Result pick_involuted }
+        $crate::composed_sandwich! { @one $Versor $Operand $Result true }
     )*};
-    (@one $Versor:ident $Operand:ident $Result:ident $pick:ident) => {
+    (@one $Versor:ident $Operand:ident $Result:ident $odd:literal) => {
         impl<T: $crate::Field> $crate::ops::Sandwich<$Operand<T>> for $Versor<T> {
             type Output = $Result<T>;
             /// `V x̂ Ṽ` as two products, restricted to the grades of `x`.
@@ -241,7 +241,8 @@ macro_rules! composed_sandwich {
             fn sandwich(self, x: $Operand<T>) -> $Result<T> {
                 let back = $crate::ops::Reverse::reverse(self);
                 let image = $crate::ops::Geometric::geometric(self, x);
-                $crate::convert::$pick($crate::ops::Geometric::geometric(image, back))
+                let image = $crate::ops::Geometric::geometric(image, back);
+                $crate::convert::image::<_, $Operand<T>, _>(image, $odd)
             }
         }
     };

@@ -1,7 +1,7 @@
 //! What the user wrote, token by token: every node keeps the span that an error points at.
 
 use proc_macro2::{Ident, Span};
-use syn::{Attribute, Path, Visibility};
+use syn::{Attribute, LitInt, Path, Visibility};
 
 /// One call of `define_algebra!`.
 pub struct Input {
@@ -31,20 +31,23 @@ pub struct Algebra {
     pub products: Option<Vec<Ident>>,
 }
 
-/// A signature such as `R4_1`: its text, and where it stands.
+/// The first and the last token of something written.
+pub type Spans = (Span, Span);
+
+/// A signature such as `R4_1`.
 pub struct Signature {
-    /// The text, `R4_1`.
+    /// The text, `R4_1`; empty where none was written, which has been reported.
     pub text: String,
     /// Where it stands.
-    pub span: Span,
+    pub spans: Spans,
 }
 
 /// `a^2 = value` (then both names are one) or `a.b = value`.
 pub struct MetricEntry {
     /// The first vector.
     pub left: Ident,
-    /// The second vector.
-    pub right: Ident,
+    /// The second vector; none in a square.
+    pub right: Option<Ident>,
     /// The value of their inner product.
     pub value: Number,
 }
@@ -54,7 +57,7 @@ pub struct Number {
     /// Its exact value, numerator and denominator.
     pub value: (i128, i128),
     /// Where it stands.
-    pub span: Span,
+    pub spans: Spans,
 }
 
 /// One entry of `types { … }`.
@@ -69,26 +72,28 @@ pub struct TypeDeclaration {
     pub content: Content,
 }
 
-/// The two ways to say which blades a type holds.
+/// The ways to say which blades a type holds.
 pub enum Content {
     /// `{ 1, e12, e1^ni, no = 1 }`.
     Blades(Vec<Coefficient>),
-    /// `= grade 2;`, with the span of the number.
-    Grade(u32, Span),
+    /// `= grade 2;`.
+    Grade(LitInt),
     /// `= even;`.
     Even,
     /// `= odd;`.
     Odd,
     /// `= all;`.
     All,
+    /// Something that could not be read and has been reported.
+    Unknown,
 }
 
 /// One coefficient of a type: a blade as spelled, perhaps with a value fixed at compile time.
 pub struct Coefficient {
     /// The identifiers joined by `^`; empty for the scalar `1`.
     pub factors: Vec<Ident>,
-    /// Where the blade stands (its first token; the scalar's `1`).
-    pub span: Span,
+    /// Where the blade stands, without its value.
+    pub spans: Spans,
     /// The fixed value of `blade = value`.
     pub fixed: Option<Number>,
 }

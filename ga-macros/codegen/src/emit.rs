@@ -169,9 +169,20 @@ fn module(model: &Model, structs: TokenStream, items: TokenStream) -> TokenStrea
         ..
     } = model;
     let documentation = types::module_documentation(model, attributes.is_empty());
+    // A deprecated type is for its users to replace; the module itself goes on using it.
+    let is_deprecated = |kind: &Type| {
+        let mut attributes = kind.attributes.iter();
+        attributes.any(|attribute| attribute.path().is_ident("deprecated"))
+    };
+    let allowance = model
+        .types
+        .iter()
+        .any(is_deprecated)
+        .then(|| quote!(#[allow(deprecated)]));
     quote! {
         #(#attributes)*
         #documentation
+        #allowance
         #visibility mod #name {
             use #core as algebra;
             use algebra::{Blade, Element, Field, Real, Scalar as Number};

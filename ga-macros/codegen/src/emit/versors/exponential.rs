@@ -156,13 +156,13 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
         "impl<T: Real> Logarithm for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The principal logarithm of the versor over its norm (2.68, 2.69 with the sign \
          of the scalar part respected); `None` where no real one exists or it is not unique.\"] \
-         #[inline] fn log(self) -> Option<{output}<T>> {{ \
+         #[inline] fn log(self) -> ::core::option::Option<{output}<T>> {{ \
          let (r, square) = algebra::convert::polar(self.{field}, {square})?; \
          let f = (self.{field} / r).log_factor(square / (r * r))? / r; Some({}) }} }}\n\
          impl<T: Real> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
          #[doc = \" The principal square root (2.37, 2.38), `(R + |R|) / √(2(⟨R⟩ + |R|))`; `None` \
          where no real one exists or it is not unique.\"] \
-         #[inline] fn sqrt(self) -> Option<{name}<T>> {{ \
+         #[inline] fn sqrt(self) -> ::core::option::Option<{name}<T>> {{ \
          let (c, f) = algebra::convert::half(self.{field}, {square})?; Some({}) }} }}\n",
         scale(result, part, "T::ZERO"),
         scale(a, part, "c"),
@@ -215,10 +215,10 @@ fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
     let text = format!(
         "impl<T: Number> Logarithm for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The logarithm of `1 + X` with `X² = 0` is `X`; it always exists.\"] \
-         #[inline] fn log(self) -> Option<{output}<T>> {{ Some({output} {{ {} }}) }} }}\n\
+         #[inline] fn log(self) -> ::core::option::Option<{output}<T>> {{ Some({output} {{ {} }}) }} }}\n\
          impl<T: Field> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
          #[doc = \" The square root of `1 + X` with `X² = 0` is `1 + X/2`; it always exists.\"] \
-         #[inline] fn sqrt(self) -> Option<{name}<T>> {{ let f = T::from_ratio(1, 2); \
+         #[inline] fn sqrt(self) -> ::core::option::Option<{name}<T>> {{ let f = T::from_ratio(1, 2); \
          Some({name} {{ {} }}) }} }}\n",
         fields(result, ""),
         fields(a, " * f"),

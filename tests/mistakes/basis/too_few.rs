@@ -1,0 +1,9 @@
+//! Fewer names than vectors.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        basis { e1, e2 }
+    }
+}
+
+fn main() {}

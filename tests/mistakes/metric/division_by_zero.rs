@@ -1,0 +1,9 @@
+//! A denominator of zero.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        metric { e1^2 = 1/0, e2^2 = 1, e3^2 = 1 }
+    }
+}
+
+fn main() {}

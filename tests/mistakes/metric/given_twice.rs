@@ -1,0 +1,9 @@
+//! One entry twice.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        metric { e1^2 = 1, e2^2 = 1, e3^2 = 1, e2.e2 = 1 }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! A signature with a dash.
+
+ga::define_algebra!(R4-1);
+
+fn main() {}

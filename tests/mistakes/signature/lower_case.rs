@@ -1,0 +1,5 @@
+//! A signature in lower case.
+
+ga::define_algebra!(r3);
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! An empty call.
+
+ga::define_algebra!();
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! A signature that is a word.
+
+ga::define_algebra!(Euclidean);
+
+fn main() {}

@@ -1,0 +1,7 @@
+//! A module without a body.
+
+ga::define_algebra! {
+    mod wrong: R3
+}
+
+fn main() {}

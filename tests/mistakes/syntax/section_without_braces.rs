@@ -1,0 +1,9 @@
+//! A section without braces.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        basis e1, e2, e3
+    }
+}
+
+fn main() {}

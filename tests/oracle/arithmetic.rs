@@ -1,0 +1,138 @@
+//! Sums and multiples of one type, on values and on references, and the operators.
+
+use std::iter::Sum;
+use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Shl, Sub};
+
+use ga::core::Rational;
+use ga::core::ops::*;
+
+use crate::reference::{Oracle, Value};
+use crate::samples::Samples;
+
+/// Sums, differences and multiples against those of the coefficients, fixed ones included.
+pub fn sums<A>(oracle: &Oracle)
+where
+    A: Element<Number = Rational>
+        + Add<Output: Element<Number = Rational> + Sum<A>>
+        + for<'a> Add<&'a A, Output = <A as Add>::Output>
+        + Sub<Output = <A as Add>::Output>
+        + Neg<Output = <A as Add>::Output>
+        + Mul<Rational, Output = <A as Add>::Output>
+        + Div<Rational, Output = <A as Add>::Output>,
+    for<'a> &'a A: Add<&'a A, Output = <A as Add>::Output>
+        + Add<A, Output = <A as Add>::Output>
+        + Sub<&'a A, Output = <A as Add>::Output>
+        + Neg<Output = <A as Add>::Output>
+        + Mul<Rational, Output = <A as Add>::Output>,
+{
+    let mut samples = Samples::new(23);
+    let (a, b): (A, A) = (samples.full(), samples.full());
+    let (x, y) = (oracle.value(&a), oracle.value(&b));
+    let number = Rational::new(-7, 3);
+    let join = |f: &dyn Fn(Rational, Rational) -> Rational| -> Value {
+        x.iter().zip(&y).map(|(x, y)| f(*x, *y)).collect()
+    };
+    let sum = join(&|x, y| x + y);
+    for generated in [a + b, &a + &b, a + &b, &a + b, [a, b].into_iter().sum()] {
+        oracle.same("sum", &[&x, &y], &oracle.value(&generated), &sum);
+    }
+    for generated in [a - b, &a - &b] {
+        oracle.same(
+            "difference",
+            &[&x, &y],
+            &oracle.value(&generated),
+            &join(&|x, y| x - y),
+        );
+    }
+    for generated in [-a, -&a] {
+        oracle.same(
+            "negative",
+            &[&x],
+            &oracle.value(&generated),
+            &join(&|x, _| -x),
+        );
+    }
+    for generated in [a * number, &a * number] {
+        oracle.same(
+            "multiple",
+            &[&x],
+            &oracle.value(&generated),
+            &join(&|x, _| x * number),
+        );
+    }
+    oracle.same(
+        "part",
+        &[&x],
+        &oracle.value(&(a / number)),
+        &join(&|x, _| x / number),
+    );
+}
+
+/// The operators are the methods, with a reference on either side of the left operand.
+pub fn operators<A, B>(_: &Oracle)
+where
+    A: Element<Number = Rational>
+        + Geometric<B, Output: PartialEq>
+        + Wedge<B, Output: PartialEq>
+        + Inner<B, Output: PartialEq>
+        + Regressive<B, Output: PartialEq>
+        + LeftContract<B, Output: PartialEq>
+        + Mul<B, Output = <A as Geometric<B>>::Output>
+        + BitXor<B, Output = <A as Wedge<B>>::Output>
+        + BitOr<B, Output = <A as Inner<B>>::Output>
+        + BitAnd<B, Output = <A as Regressive<B>>::Output>
+        + Shl<B, Output = <A as LeftContract<B>>::Output>,
+    for<'a> &'a A:
+        Mul<B, Output = <A as Geometric<B>>::Output> + BitXor<B, Output = <A as Wedge<B>>::Output>,
+    B: Element<Number = Rational>,
+{
+    let mut samples = Samples::new(29);
+    let (a, b): (A, B) = (samples.full(), samples.full());
+    assert!(a * b == a.geometric(b) && &a * b == a.geometric(b));
+    assert!((a ^ b) == a.wedge(b) && (&a ^ b) == a.wedge(b));
+    assert!((a | b) == a.inner(b));
+    assert!((a & b) == a.regressive(b));
+    assert!((a << b) == a.left_contract(b));
+}
+
+/// The operators of a pair.
+macro_rules! check_operators {
+    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {
+        crate::arithmetic::operators::<
+            $module::$A<ga::core::Rational>,
+            $module::$B<ga::core::Rational>,
+        >($oracle);
+    };
+}
+pub(crate) use check_operators;
+
+/// Division, the dual and numbers on the left, on types of the Euclidean space.
+#[test]
+fn remaining_operators() {
+    use crate::presets::r3::{Bivector, Vector};
+    let (a, b) = (Vector::new(1.0, 2.0, 3.0), Vector::new(4.0, 5.0, 6.0));
+    assert_eq!(a / b, a.quotient(b));
+    assert_eq!(&a / b, a.geometric(b.inverse().expect("not null")));
+    assert_eq!(!a, a.dual());
+    assert_eq!(2.0 * a, Vector::new(2.0, 4.0, 6.0));
+    assert_eq!(2.0 * &a, a + a);
+    assert_eq!(
+        0.5_f32 * Bivector::new(2.0_f32, 4.0, 6.0),
+        Bivector::new(1.0, 2.0, 3.0)
+    );
+    let mut sum = a;
+    sum += b;
+    sum -= a;
+    sum *= 2.0;
+    sum /= 4.0;
+    assert_eq!(sum, 0.5 * b);
+    assert_eq!([a, b].iter().sum::<Vector>(), a + b);
+    // Division by a null element is that of floats.
+    assert!(!(a / Vector::new(0.0, 0.0, 0.0)).s.is_finite());
+    assert_eq!(Vector::new(0.0, 0.0, 0.0).inverse(), None);
+    assert_eq!(Vector::new(0.0, 0.0, 0.0).normalized(), None);
+    assert_eq!(
+        Vector::new(0.0, 0.0, -2.0).normalized(),
+        Some(Vector::new(0.0, 0.0, -1.0))
+    );
+}

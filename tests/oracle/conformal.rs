@@ -1,0 +1,81 @@
+//! The conformal model in its null basis: every pair of its types.
+
+use ga::cga::cga3;
+use ga::core::{Metric, Rational};
+
+use crate::conversions::{check_conversions, check_masks};
+use crate::unary::{check_duals, check_unary};
+use crate::versors::check_versors;
+
+/// The Euclidean vectors, then n_o and n_∞ with n_o·n_∞ = −1.
+fn metric() -> Metric {
+    let mut gram = vec![vec![Rational::ZERO; 5]; 5];
+    for (index, row) in gram.iter_mut().enumerate().take(3) {
+        row[index] = Rational::ONE;
+    }
+    gram[3][4] = -Rational::ONE;
+    gram[4][3] = -Rational::ONE;
+    Metric::new(["e1", "e2", "e3", "no", "ni"], gram).expect("symmetric")
+}
+
+const UNITS: [&str; 5] = ["Rotor", "Translator", "Motor", "Dilator", "Transversor"];
+
+macro_rules! with_types {
+    ($oracle:ident, $each:ident, $check:ident) => {
+        $each!(
+            $oracle, cga3,
+            [Vector3 Bivector3 Trivector3 Point DualSphere DualPlane PointPair FlatPoint
+             DirectionVector TangentVector DualLine MinkowskiPlane Circle Line DirectionBivector
+             TangentBivector Sphere Plane DirectionTrivector TangentTrivector Pseudoscalar Rotor
+             Translator Motor Dilator Transversor Scalar Even Odd Multivector],
+            $check
+        );
+    };
+}
+
+macro_rules! kinds {
+    ($oracle:ident, $module:ident, $types:tt, $check:ident) => {
+        let mut $oracle = oracle!($module metric(), units UNITS, $types);
+        $oracle.embeddings = &[("Vector3", "Point")];
+    };
+}
+
+#[test]
+fn products() {
+    with_types!(oracle, kinds, none);
+    with_types!(oracle, each_pair, check_products);
+}
+
+#[test]
+fn versors() {
+    with_types!(oracle, kinds, none);
+    with_types!(oracle, each_pair, check_versors);
+    for (name, list) in oracle.versors.borrow().iter() {
+        assert!(
+            !list.is_empty() || !oracle.units.contains(&name.as_str()),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn conversions() {
+    with_types!(oracle, kinds, none);
+    with_types!(oracle, each_pair, check_conversions);
+}
+
+#[test]
+fn single_operands_and_laws() {
+    with_types!(oracle, kinds, none);
+    with_types!(oracle, each_type, check_unary);
+    with_types!(oracle, each_type, check_duals);
+    check_masks!(oracle, cga3);
+    type Q = Rational;
+    type M = cga3::Multivector<Q>;
+    crate::laws::products::<M>(&oracle);
+    crate::laws::duals::<M>(&oracle);
+    crate::laws::versors::<cga3::Even<Q>, M>(&oracle);
+    crate::laws::versors::<cga3::Odd<Q>, M>(&oracle);
+    crate::laws::versors::<cga3::Motor<Q>, M>(&oracle);
+    crate::laws::versors::<cga3::DualSphere<Q>, M>(&oracle);
+}
