@@ -2,4 +2,5 @@
 
 pub mod crystallography;
 pub mod export;
+pub mod gallery;
 pub mod mesh;

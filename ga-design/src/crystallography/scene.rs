@@ -6,9 +6,9 @@ use super::{Atom, Cell, CellRange, Element};
 use crate::export::{ExportError, Material, Placement, Scene};
 use crate::mesh;
 
-/// The radius of an atom's sphere over its covalent radius: large enough that neighbours nearly
-/// touch, small enough to see between them.
-const RADIUS_SCALE: f64 = 0.62;
+/// The radius of an atom's sphere over its covalent radius: large enough to tell the elements
+/// apart, small enough to see between them and for rods that join them to show.
+const RADIUS_SCALE: f64 = 0.5;
 
 /// The radius of the bars of the cell over the cube root of its volume.
 const BAR_SCALE: f64 = 0.006;

@@ -10,14 +10,19 @@ use super::{ExportError, Scene, glb, write};
 use base64::{Engine, engine::general_purpose::STANDARD};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
 
 const PAGE: &str = include_str!("../../assets/gallery.html");
 const STYLE: &str = include_str!("../../assets/gallery.css");
 const SCRIPT: &str = include_str!("../../assets/gallery.js");
 
 /// Writes `index.html` and, for each scene, `NAME.glb` and `NAME.png` into a directory, which is made
-/// if it is not there; gives the path of the page. `before` is called with each scene before it is
+/// if it is not there; gives the path of the page. `drawn` is called with each scene when it has been
 /// drawn, to show progress. The settings are those of the pictures; thumbnails are half as large.
+///
+/// Scenes are drawn side by side on all processors.
 ///
 /// All files are made before the first is put in its place.
 ///
@@ -28,9 +33,9 @@ pub fn write_gallery(
     scenes: &[Scene],
     directory: &Path,
     settings: &Settings,
-    before: impl FnMut(&Scene),
+    drawn: impl FnMut(&Scene),
 ) -> Result<PathBuf, ExportError> {
-    let mut files = encode(scenes, settings, before)?;
+    let mut files = encode(scenes, settings, drawn)?;
     for (path, _) in &mut files {
         *path = directory.join(&*path);
     }
@@ -46,7 +51,7 @@ pub fn write_gallery(
 pub fn encode(
     scenes: &[Scene],
     settings: &Settings,
-    mut before: impl FnMut(&Scene),
+    drawn: impl FnMut(&Scene),
 ) -> Result<Vec<(PathBuf, Vec<u8>)>, ExportError> {
     if scenes.is_empty() {
         return Err(ExportError::EmptyScene {
@@ -57,17 +62,16 @@ pub fn encode(
     let mut files = Vec::with_capacity(2 * scenes.len() + 1);
     let mut cards = String::new();
     let mut models = String::new();
-    for scene in scenes {
-        before(scene);
-        let model = glb::encode(scene)?;
-        let image = picture::render(scene, settings)?;
-        cards += &card(scene, &STANDARD.encode(image.halved().to_png()?));
+    for (scene, made) in scenes.iter().zip(make_all(scenes, settings, drawn)) {
+        let Made {
+            model,
+            image,
+            thumbnail,
+        } = made?;
+        cards += &card(scene, &STANDARD.encode(&thumbnail));
         models += &embedded(scene, &STANDARD.encode(&model));
         files.push((PathBuf::from(format!("{}.glb", scene.name())), model));
-        files.push((
-            PathBuf::from(format!("{}.png", scene.name())),
-            image.to_png()?,
-        ));
+        files.push((PathBuf::from(format!("{}.png", scene.name())), image));
     }
     let parts = [
         ("{{style}}", STYLE),
@@ -78,6 +82,61 @@ pub fn encode(
     let page = filled(PAGE, &parts);
     files.push((PathBuf::from("index.html"), page.into_bytes()));
     Ok(files)
+}
+
+/// The files of one scene.
+struct Made {
+    model: Vec<u8>,
+    image: Vec<u8>,
+    thumbnail: Vec<u8>,
+}
+
+fn make(scene: &Scene, settings: &Settings) -> Result<Made, ExportError> {
+    let model = glb::encode(scene)?;
+    let image = picture::render(scene, settings)?;
+    Ok(Made {
+        model,
+        thumbnail: image.halved().to_png()?,
+        image: image.to_png()?,
+    })
+}
+
+/// The files of all scenes, in order. Each processor takes the next scene that nobody has begun.
+fn make_all(
+    scenes: &[Scene],
+    settings: &Settings,
+    mut drawn: impl FnMut(&Scene),
+) -> Vec<Result<Made, ExportError>> {
+    let next = AtomicUsize::new(0);
+    let workers = thread::available_parallelism().map_or(1, usize::from);
+    let (sender, receiver) = mpsc::channel();
+    let mut all: Vec<_> = thread::scope(|scope| {
+        for _ in 0..workers.min(scenes.len()) {
+            let (sender, next) = (sender.clone(), &next);
+            scope.spawn(move || {
+                while let Some((index, scene)) = take(scenes, next) {
+                    // Nobody receives any more only if the whole call has been given up.
+                    if sender.send((index, scene, make(scene, settings))).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        // Receiving ends when the last worker is done with its sender.
+        drop(sender);
+        let report = |(index, scene, made)| {
+            drawn(scene);
+            (index, made)
+        };
+        receiver.into_iter().map(report).collect()
+    });
+    all.sort_by_key(|&(index, _)| index);
+    all.into_iter().map(|(_, made)| made).collect()
+}
+
+fn take<'a>(scenes: &'a [Scene], next: &AtomicUsize) -> Option<(usize, &'a Scene)> {
+    let index = next.fetch_add(1, Ordering::Relaxed);
+    Some((index, scenes.get(index)?))
 }
 
 /// Names become file names and fragments of addresses, so only characters that are plain in both.

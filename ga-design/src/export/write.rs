@@ -124,8 +124,17 @@ fn failure(path: &Path, action: &'static str, source: io::Error) -> ExportError 
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room on the disk",
         io::ErrorKind::InvalidFilename => "choose a shorter or simpler name",
-        _ => "check the path and try again",
+        _ => {
+            return ExportError::Write {
+                path: path.to_owned(),
+                action,
+                source,
+                remedy: "check the path and try again",
+            };
+        }
     };
+    // The reason alone: the error itself may name the passing file beside the one asked for.
+    let source = io::Error::from(source.kind());
     ExportError::Write {
         path: path.to_owned(),
         action,

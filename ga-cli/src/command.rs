@@ -1,0 +1,27 @@
+//! Decides which commands there are; each is a file of its own with its arguments and what it does.
+
+mod crystal;
+mod expand;
+mod gallery;
+
+use crate::failure::Failure;
+use clap::Subcommand;
+
+/// What the program is asked to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Gallery(gallery::Arguments),
+    Crystal(crystal::Arguments),
+    Expand(expand::Arguments),
+}
+
+impl Command {
+    /// Does it.
+    pub fn run(&self) -> Result<(), Failure> {
+        match self {
+            Command::Gallery(arguments) => gallery::run(arguments),
+            Command::Crystal(arguments) => crystal::run(arguments),
+            Command::Expand(arguments) => expand::run(arguments),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! `articulate crystal` on good input: the JSON contract, and files that independent readers accept.
+
+use crate::run::{crystals, directory, names, program, run, shipped, spheres};
+use std::f64::consts::FRAC_PI_2;
+use std::process::Stdio;
+
+/// File, number of the space group, atoms in the unit cell, density in g/cm³ as mineralogists give it.
+const KNOWN: [(&str, u64, usize, f64); 7] = [
+    ("calcite.cif", 167, 30, 2.71),
+    ("diamond.cif", 227, 8, 3.51),
+    ("halite.cif", 225, 8, 2.16),
+    ("pyrite.cif", 205, 12, 5.01),
+    ("quartz.cif", 154, 9, 2.65),
+    ("rutile.cif", 136, 6, 4.25),
+    // 56 ions; magnesium and aluminium share the 24 sites of metals.
+    ("spinel.cif", 227, 80, 3.58),
+];
+
+#[test]
+fn every_shipped_crystal_is_among_the_known() {
+    let known: Vec<_> = KNOWN.iter().map(|row| row.0.to_owned()).collect();
+    assert_eq!(names(&crystals()), known);
+}
+
+#[test]
+fn json_and_glb_hold_the_atoms_of_the_unit_cell() {
+    let directory = directory();
+    for (file, number, atoms, density) in KNOWN {
+        let glb = directory.path().join("out.glb");
+        let words = ["crystal", &shipped(file), "--json", "--out", "out.glb"];
+        let value = run(directory.path(), &words).json();
+        assert_eq!(value["number"], number, "{file}");
+        assert_eq!(
+            value["atoms"].as_array().map(Vec::len),
+            Some(atoms),
+            "{file}"
+        );
+        assert_eq!(spheres(&glb), atoms, "{file}");
+        let found = value["density"].as_f64().unwrap_or(f64::NAN);
+        assert!((found - density).abs() < 0.03, "{file}: {found}");
+    }
+}
+
+#[test]
+fn json_keeps_the_contract() {
+    let directory = directory();
+    let value = run(
+        directory.path(),
+        &["crystal", &shipped("quartz.cif"), "--json"],
+    )
+    .json();
+    assert_eq!(value["hm"], "P 32 2 1");
+    let cell = &value["cell"];
+    assert_eq!((&cell["a"], &cell["c"]), (&4.916.into(), &5.4054.into()));
+    // Radians, and degrees only where `deg` is written.
+    assert_eq!(cell["alpha"], FRAC_PI_2);
+    assert_eq!(cell["alpha_deg"], 90.0);
+    assert_eq!(cell["gamma_deg"], 120.0);
+    assert!((cell["gamma"].as_f64().unwrap_or(0.0) - 4.0 / 3.0 * FRAC_PI_2).abs() < 1e-15);
+    for atom in value["atoms"].as_array().expect("a list") {
+        assert!(atom["label"].is_string() && atom["element"].is_string());
+        assert_eq!(atom["occupancy"], 1.0);
+        let numbers = |name: &str| -> Vec<f64> {
+            let list = atom[name].as_array().expect("a list");
+            list.iter().filter_map(serde_json::Value::as_f64).collect()
+        };
+        let (fract, cart) = (numbers("fract"), numbers("cart"));
+        assert_eq!((fract.len(), cart.len()), (3, 3));
+        assert!(fract.iter().all(|f| (0.0..1.0).contains(f)));
+        // The hexagonal frame: a along x, b at 120° from it.
+        let expected = [
+            4.916 * (fract[0] - 0.5 * fract[1]),
+            4.916 * 0.75_f64.sqrt() * fract[1],
+            5.4054 * fract[2],
+        ];
+        for (found, expected) in cart.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn cells_multiply_the_spheres_but_not_the_atoms_of_the_unit_cell() {
+    let directory = directory();
+    for (cells, count) in [("2x2x2", 8), ("3", 27), ("-1:1x0:1x0:2", 4)] {
+        let words = [
+            "crystal",
+            &shipped("quartz.cif"),
+            "--cells",
+            cells,
+            "--out",
+            "q.glb",
+            "--json",
+        ];
+        let value = run(directory.path(), &words).json();
+        assert_eq!(value["atoms"].as_array().map(Vec::len), Some(9), "{cells}");
+        assert_eq!(value["cells"]["atoms"], 9 * count, "{cells}");
+        assert_eq!(
+            spheres(&directory.path().join("q.glb")),
+            9 * count,
+            "{cells}"
+        );
+    }
+}
+
+#[test]
+fn every_format_is_written_and_the_json_file_is_the_json_output() {
+    let directory = directory();
+    let halite = shipped("halite.cif");
+    let mut words = vec!["crystal", &halite, "--json"];
+    for file in ["h.glb", "h.OBJ", "h.stl", "h.ply", "h.png", "h.json"] {
+        words.extend(["--out", file]);
+    }
+    let ran = run(directory.path(), &words).well();
+    let expected = [
+        "h.OBJ", "h.glb", "h.json", "h.mtl", "h.ply", "h.png", "h.stl",
+    ];
+    assert_eq!(names(directory.path()), expected);
+    let read = |name: &str| std::fs::read(directory.path().join(name)).expect("the file is there");
+    assert_eq!(read("h.json"), ran.as_bytes());
+    assert!(read("h.glb").starts_with(b"glTF"));
+    assert!(read("h.png").starts_with(b"\x89PNG"));
+    assert!(read("h.ply").starts_with(b"ply"));
+}
+
+#[test]
+fn the_summary_is_for_people() {
+    let directory = directory();
+    let text = run(directory.path(), &["crystal", &shipped("calcite.cif")]).well();
+    for word in ["Calcite", "C6 Ca6 O18", "R -3 c", "167", "g/cm³", "30"] {
+        assert!(text.contains(word), "{word} in {text}");
+    }
+    assert!(names(directory.path()).is_empty());
+}
+
+#[test]
+fn warnings_do_not_mix_with_json() {
+    let directory = directory();
+    let file = directory.path().join("odd.cif");
+    let text = std::fs::read_to_string(shipped("halite.cif")).expect("the file is there");
+    let number = text.replace(
+        "_space_group_IT_number",
+        "_space_group_name_H-M_alt 'P 1'\n_space_group_IT_number",
+    );
+    std::fs::write(&file, number).expect("the file is written");
+    let ran = run(directory.path(), &["crystal", "odd.cif", "--json"]);
+    // Whether it is accepted or refused, standard output holds JSON or nothing.
+    if ran.code == 0 {
+        assert!(serde_json::from_str::<serde_json::Value>(&ran.stdout).is_ok());
+        assert!(
+            ran.stderr.starts_with("warning: odd.cif:"),
+            "{}",
+            ran.stderr
+        );
+    } else {
+        assert!(ran.message(1).contains("odd.cif:"));
+    }
+}
+
+#[test]
+fn a_reader_that_stops_reading_is_no_failure() {
+    let directory = directory();
+    let quartz = shipped("quartz.cif");
+    let mut child = program(directory.path(), &["crystal", &quartz, "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty());
+}

@@ -1,0 +1,7 @@
+//! The program as an outsider sees it: what it prints, what it writes, how it fails.
+
+mod crystal;
+mod expand;
+mod failures;
+mod gallery;
+mod run;
