@@ -47,7 +47,7 @@ fn outer_product() {
 fn geometric_product() {
     assert_eq!(A.geometric(B), Even::new(32.0, -3.0, -6.0, -3.0));
     assert_eq!(A * B, A.geometric(B));
-    assert_eq!((A * B).to_string(), "32 + -3 e12 - 6 e13 - 3 e23");
+    assert_eq!((A * B).to_string(), "32 - 3 e12 - 6 e13 - 3 e23");
     let blades = printed(&[("1", "000"), ("e12", "011"), ("e13", "101"), ("e23", "110")]);
     assert_eq!(bits::<Even>(), blades);
 }

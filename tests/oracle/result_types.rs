@@ -16,7 +16,7 @@ fn fixed_coefficients() {
     let transversor = Transversor::new(0.5, 0.0, 0.0);
 
     let moved: Point = motor.apply(p);
-    let _: Point = motor.sandwich(p);
+    let _: DualSphere = motor.sandwich(p);
     let _: Point = rotor.apply(p);
     let shifted: Point = translator.apply(p);
     let _: DualSphere = dilator.apply(p);
