@@ -49,8 +49,8 @@ fn ledgers() {
 fn chosen_functions_of_the_conformal_model() {
     let source = expansion(conformal());
     let chosen = [
-        "Sandwich<Point<T>> for Motor<T>",
-        "Sandwich<Circle<T>> for Rotor<T>",
+        "Apply<Point<T>> for Motor<T>",
+        "Apply<Circle<T>> for Rotor<T>",
         "Wedge<Point<T>> for Point<T>",
         "Wedge<PointPair<T>> for Point<T>",
         "Geometric<Motor<T>> for Motor<T>",

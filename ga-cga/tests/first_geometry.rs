@@ -9,10 +9,14 @@ use ga_cga::{
 fn samples() -> Vec<Vector3> {
     let mut state = 1_u64;
     let mut next = || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (state >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
     };
-    (0..50).map(|_| Vector3::new(next(), next(), next()) * 3.0).collect()
+    (0..50)
+        .map(|_| Vector3::new(next(), next(), next()) * 3.0)
+        .collect()
 }
 
 fn close(a: Vector3, b: Vector3) {
@@ -43,7 +47,10 @@ fn dual_spheres_invert() {
         let image: DualSphere = sphere.apply(Point::from(x));
         let image = image.center().expect("no sample is the centre");
         let from_center = x - center;
-        close(image.position(), center + from_center * (2.25 / from_center.norm_squared()));
+        close(
+            image.position(),
+            center + from_center * (2.25 / from_center.norm_squared()),
+        );
     }
     let imaginary = DualSphere::about(Point::from(center), -4.0);
     assert_eq!(imaginary.radius_squared(), Some(-4.0));
@@ -68,7 +75,10 @@ fn dual_planes_reflect() {
         close(image.position(), expected);
         assert!((image.ni - 0.5 * expected.norm_squared()).abs() < 1e-12);
     }
-    assert_eq!(DualPlane::through(through, Vector3::new(0.0, 0.0, 0.0)), None);
+    assert_eq!(
+        DualPlane::through(through, Vector3::new(0.0, 0.0, 0.0)),
+        None
+    );
 }
 
 /// Table 2.6: e^{−θB/2} turns by θ in the sense of B (Rodrigues' formula).
@@ -108,7 +118,10 @@ fn motors_move_rigidly() {
         close(back.apply(image).position(), x);
     }
     assert_eq!(Translator::by(shift).vector(), shift);
-    assert_eq!(Motor::identity().apply(Point::at(1.0, 2.0, 3.0)), Point::at(1.0, 2.0, 3.0));
+    assert_eq!(
+        Motor::identity().apply(Point::at(1.0, 2.0, 3.0)),
+        Point::at(1.0, 2.0, 3.0)
+    );
 }
 
 /// (2.49): four points span their sphere, and any fifth point of it does not add to it.
@@ -122,7 +135,12 @@ fn four_points_span_a_sphere() {
     assert!((on_sphere(0.0, 0.6, 0.8) ^ sphere).norm() < 1e-13);
     let dual: DualSphere = !sphere;
     assert!((dual.radius_squared().expect("a sphere") - 4.0).abs() < 1e-13);
-    assert!(dual.center().expect("a sphere").distance(Point::at(1.0, 0.0, 0.0)) < 1e-14);
+    assert!(
+        dual.center()
+            .expect("a sphere")
+            .distance(Point::at(1.0, 0.0, 0.0))
+            < 1e-14
+    );
 }
 
 /// The null basis keeps coordinates exact far from the origin, where e₊ and e₋ would drown them.

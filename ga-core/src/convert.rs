@@ -214,7 +214,13 @@ pub fn display<T: Scalar + fmt::Display>(
             1 => format!("{numerator}"),
             _ => format!("{numerator}/{denominator}"),
         };
-        term(f, &mut first, &number, label, (*numerator, *denominator) == (1, 1))?;
+        term(
+            f,
+            &mut first,
+            &number,
+            label,
+            (*numerator, *denominator) == (1, 1),
+        )?;
     }
     for (label, value) in free {
         if *value == T::ZERO {

@@ -18,10 +18,10 @@ ga::define_algebra!(R4_1);
 macro_rules! check_divisions {
     ($oracle:ident, $module:ident, $A:ident, $B:ident) => {
         crate::products::Pair::<
-                    $module::$A<ga::core::Rational>,
-                    $module::$B<ga::core::Rational>,
-                >::new()
-                .divisions($oracle);
+                                    $module::$A<ga::core::Rational>,
+                                    $module::$B<ga::core::Rational>,
+                                >::new()
+                                .divisions($oracle);
     };
 }
 

@@ -49,7 +49,10 @@ impl Kernel {
 
     /// Every polynomial that is evaluated.
     pub fn polynomials(&self) -> impl Iterator<Item = &Poly> {
-        self.divisor.iter().chain(&self.temporaries).chain(&self.outputs)
+        self.divisor
+            .iter()
+            .chain(&self.temporaries)
+            .chain(&self.outputs)
     }
 
     /// What the kernel costs as it is emitted.

@@ -174,7 +174,11 @@ pub fn documentation(
         " {summary} Cost: {}, {}{}.\n\n ```text\n",
         counted(cost.multiplications, "multiplication"),
         counted(cost.additions, "addition"),
-        if kernel.divisor.is_some() { ", 1 division" } else { "" },
+        if kernel.divisor.is_some() {
+            ", 1 division"
+        } else {
+            ""
+        },
     );
     if let Some(divisor) = &kernel.divisor {
         let _ = writeln!(text, " f = 1 / ({})", formula(divisor, names));

@@ -121,7 +121,8 @@ pub fn module_documentation(model: &Model, is_first: bool) -> TokenStream {
     text.push_str(
         "\n The operators are `*` geometric, `^` outer, `|` inner, `&` regressive, `<<` left \
          contraction, `!` dual and `/` division. Rust binds `+` tighter than `^`: \
-         `a ^ b + c` is `a ^ (b + c)`, so write the brackets.\n\n This generated code carries \
+         `a ^ b + c` is `a ^ (b + c)`, so write the brackets. In the formulas of the \
+         functions `a` is `self`.\n\n This generated code carries \
          the licence of the crate that declares it.",
     );
     quote!(#[doc = #text])

@@ -116,12 +116,7 @@ fn looks_like_versor(kind: &Type) -> bool {
     kind.unit || rotor_like || kind.grades() == 0b10
 }
 
-fn application(
-    generator: &Generator<'_>,
-    v: usize,
-    x: usize,
-    even: bool,
-) -> Option<Application> {
+fn application(generator: &Generator<'_>, v: usize, x: usize, even: bool) -> Option<Application> {
     let model = generator.model;
     let kind = generator.kind(x);
     let grades = kind.grades();
@@ -166,7 +161,7 @@ fn application(
         (false, true) => whole_type,
         (false, false) => generator.sums[whole_type]?,
     };
-    let limit = unroll_limit(generator, v, x);
+    let limit = unroll_limit(generator, v, applied);
     let short = |kernel: Kernel| Some(kernel).filter(|kernel| kernel.terms() <= limit);
     if unit {
         let kernel = moving(generator, applied, &difference, &back, operand, &whole);
@@ -212,11 +207,11 @@ fn application(
     })
 }
 
-/// How many terms the body may have; in large algebras only versors are unrolled, and not on
-/// the types that hold everything of a parity.
-fn unroll_limit(generator: &Generator<'_>, v: usize, x: usize) -> usize {
+/// How many terms the body may have; in large algebras only versors are unrolled, and not where
+/// the result is of a type that holds everything of a parity.
+fn unroll_limit(generator: &Generator<'_>, v: usize, result: usize) -> usize {
     let small = generator.model.types.len() <= SMALL_ALGEBRA;
-    let everything = parity_type(generator, x) == Some(x);
+    let everything = parity_type(generator, result) == Some(result);
     if looks_like_versor(generator.kind(v)) && (small || !everything) {
         VERSOR_LIMIT
     } else if small {
@@ -263,9 +258,10 @@ fn moving(
         form: "x + (V x − x V) V⁻¹",
     };
     // With a divided reverse there are more temporaries to come.
-    let ready = inverse.values().flat_map(Poly::terms).all(|(monomial, _)| {
-        monomial.variables().all(|v| v.operand != TEMPORARY)
-    });
+    let ready = inverse
+        .values()
+        .flat_map(Poly::terms)
+        .all(|(monomial, _)| monomial.variables().all(|v| v.operand != TEMPORARY));
     if ready { drop_unused(kernel) } else { kernel }
 }
 
@@ -274,7 +270,10 @@ fn named(element: &Element, from: usize) -> (Element, Vec<Poly>) {
     let one = ga_core::Rational::from_integer(1);
     let variables = element.keys().enumerate().map(|(number, mask)| {
         let slot = (from + number) as u16;
-        let variable = Variable { operand: TEMPORARY, slot };
+        let variable = Variable {
+            operand: TEMPORARY,
+            slot,
+        };
         (*mask, Poly::term(Monomial::of(variable), one))
     });
     (variables.collect(), element.values().cloned().collect())
@@ -283,7 +282,10 @@ fn named(element: &Element, from: usize) -> (Element, Vec<Poly>) {
 /// The reverse times the reciprocal of the norm, in temporaries counted from a number on.
 fn divided_by_norm(back: &Element, from: usize) -> (Element, Vec<Poly>) {
     let one = ga_core::Rational::from_integer(1);
-    let reciprocal = Variable { operand: RECIPROCAL, slot: 0 };
+    let reciprocal = Variable {
+        operand: RECIPROCAL,
+        slot: 0,
+    };
     let factor = Poly::term(Monomial::of(reciprocal), one);
     let scaled = back.iter().map(|(mask, poly)| {
         let mut product = Poly::default();
