@@ -135,10 +135,6 @@ impl core::error::Error for Narrowing {}
 ///
 /// # Errors
 /// [`Narrowing`] with the first blade that is in the way.
-///
-/// ```ignore
-/// let vector: Vector = narrow(multivector, 1e-9)?;
-/// ```
 pub fn narrow<Wide, Narrow>(wide: Wide, tolerance: Wide::Number) -> Result<Narrow, Narrowing>
 where
     Wide: Element,

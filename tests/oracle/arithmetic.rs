@@ -1,5 +1,7 @@
 //! Sums and multiples of one type, on values and on references, and the operators.
 
+#![expect(clippy::op_ref, reason = "references on both sides are what is tested")]
+
 use std::iter::Sum;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Shl, Sub};
 

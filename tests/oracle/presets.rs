@@ -16,13 +16,11 @@ ga::define_algebra!(R4_1);
 
 /// Quotient, projection and rejection of a pair.
 macro_rules! check_divisions {
-    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {
-        crate::products::Pair::<
-                                    $module::$A<ga::core::Rational>,
-                                    $module::$B<ga::core::Rational>,
-                                >::new()
-                                .divisions($oracle);
-    };
+    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
+        type A = $module::$A<ga::core::Rational>;
+        type B = $module::$B<ga::core::Rational>;
+        crate::products::Pair::<A, B>::new().divisions($oracle);
+    }};
 }
 
 /// All checks of a module that has every type of its list; duals where the metric has them.

@@ -1,7 +1,7 @@
 //! The code generator behind `define_algebra!`, as an ordinary library.
 //!
-//! Text flows one way: tokens → [`parse`] → [`ast`] → [`check`] → [`model`] → [`product`], one
-//! exact polynomial per blade of a result → [`factor`], the body that computes it → [`emit`].
+//! Text flows one way: tokens → `parse` → `ast` → `check` → `model` → `product`, one
+//! exact polynomial per blade of a result → `factor`, the body that computes it → `emit`.
 //!
 //! ```
 //! let source = ga_codegen::expand("R2");
