@@ -4,6 +4,7 @@ use ga::cga::cga3;
 use ga::core::{Metric, Rational};
 
 use crate::conversions::{check_conversions, check_masks};
+use crate::presets::check_divisions;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
 
@@ -18,7 +19,7 @@ fn metric() -> Metric {
     Metric::new(["e1", "e2", "e3", "no", "ni"], gram).expect("symmetric")
 }
 
-const UNITS: [&str; 5] = ["Rotor", "Translator", "Motor", "Dilator", "Transversor"];
+const UNITS: [&str; 2] = ["Translator", "Transversor"];
 
 macro_rules! with_types {
     ($oracle:ident, $each:ident, $check:ident) => {
@@ -78,4 +79,16 @@ fn single_operands_and_laws() {
     crate::laws::versors::<cga3::Odd<Q>, M>(&oracle);
     crate::laws::versors::<cga3::Motor<Q>, M>(&oracle);
     crate::laws::versors::<cga3::DualSphere<Q>, M>(&oracle);
+}
+
+/// Quotients, projections and rejections of the elements that stand for figures.
+#[test]
+fn divisions() {
+    with_types!(oracle, kinds, none);
+    each_pair!(
+        oracle,
+        cga3,
+        [Vector3 Point DualSphere DualPlane PointPair FlatPoint DualLine Circle Line Sphere Plane],
+        check_divisions
+    );
 }

@@ -75,3 +75,13 @@ fn operators_and_divisions() {
     let projective = oracle!(r3_0_1 signature(3, 0, 1), units [], [Scalar Vector Bivector]);
     each_pair!(projective, r3_0_1, [Scalar Vector Bivector Trivector Quadvector Even Odd Multivector], check_divisions);
 }
+
+#[test]
+fn divisions_in_other_metrics() {
+    let plane = oracle!(r2 signature(2, 0, 0), units [], [Scalar Vector Bivector]);
+    each_pair!(plane, r2, [Scalar Vector Bivector Even Odd Multivector], check_divisions);
+    let negative = oracle!(r0_2 signature(0, 2, 0), units [], [Scalar Vector Bivector]);
+    each_pair!(negative, r0_2, [Scalar Vector Bivector Even Odd Multivector], check_divisions);
+    let spacetime = oracle!(r1_3 signature(1, 3, 0), units [], [Scalar Vector Bivector]);
+    each_pair!(spacetime, r1_3, [Scalar Vector Bivector Trivector Quadvector Even Odd Multivector], check_divisions);
+}

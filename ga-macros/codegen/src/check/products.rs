@@ -47,7 +47,7 @@ pub fn products(listed: Option<&[Ident]>, errors: &mut Errors) -> (Vec<Product>,
     };
     let mut products = Vec::new();
     let mut seen: Vec<String> = Vec::new();
-    let (mut apply, mut project) = (false, false);
+    let (mut apply, mut project, mut reject) = (false, false, false);
     for token in listed {
         let name = token.to_string();
         if seen.contains(&name) {
@@ -56,7 +56,8 @@ pub fn products(listed: Option<&[Ident]>, errors: &mut Errors) -> (Vec<Product>,
         }
         match name.as_str() {
             "apply" | "sandwich" => apply = true,
-            "project" | "reject" => project = true,
+            "project" => project = true,
+            "reject" => reject = true,
             _ => match Product::ALL.iter().find(|product| product.method() == name) {
                 Some(product) => products.push(*product),
                 None => errors.push(token.span(), unknown(&name)),
@@ -64,8 +65,8 @@ pub fn products(listed: Option<&[Ident]>, errors: &mut Errors) -> (Vec<Product>,
         }
         seen.push(name);
     }
-    // Sandwiches, inverses and exponentials are made of geometric products, and projection
-    // is a contraction.
+    // Sandwiches, inverses and exponentials are made of geometric products, projections of
+    // contractions (2.29), rejections of an outer product and a contraction (2.30).
     let mut require = |product: Product, wanted: bool| {
         if wanted && !products.contains(&product) {
             products.push(product);
@@ -73,6 +74,8 @@ pub fn products(listed: Option<&[Ident]>, errors: &mut Errors) -> (Vec<Product>,
     };
     require(Product::Geometric, true);
     require(Product::LeftContract, project);
+    require(Product::Wedge, reject);
+    require(Product::RightContract, reject);
     (products, apply)
 }
 
