@@ -7,7 +7,7 @@ macro_rules! vanishing {
     (Scalar $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = Scalar<T>;
-            #[doc = "Vanishes identically for these types."]
+            #[doc = "Vanishes identically for these types; no operations."]
             #[inline]
             fn $method(self, _: $Right<T>) -> Scalar<T> {
                 Scalar { s: T::ZERO }
@@ -17,7 +17,7 @@ macro_rules! vanishing {
     (number $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = T;
-            #[doc = "Vanishes identically for these types."]
+            #[doc = "Vanishes identically for these types; no operations."]
             #[inline]
             fn $method(self, _: $Right<T>) -> T {
                 T::ZERO
@@ -227,16 +227,16 @@ macro_rules! quotients {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! composed_sandwich {
-    ($Versor:ident even: $($Operand:ident => $Result:ident),*) => {$(
-        $crate::composed_sandwich! { @one $Versor $Operand $Result false }
+    ($Versor:ident even: $($Operand:ident => $Result:ident $doc:literal),*) => {$(
+        $crate::composed_sandwich! { @one $Versor $Operand $Result false $doc }
     )*};
-    ($Versor:ident odd: $($Operand:ident => $Result:ident),*) => {$(
-        $crate::composed_sandwich! { @one $Versor $Operand $Result true }
+    ($Versor:ident odd: $($Operand:ident => $Result:ident $doc:literal),*) => {$(
+        $crate::composed_sandwich! { @one $Versor $Operand $Result true $doc }
     )*};
-    (@one $Versor:ident $Operand:ident $Result:ident $odd:literal) => {
+    (@one $Versor:ident $Operand:ident $Result:ident $odd:literal $doc:literal) => {
         impl<T: $crate::Field> $crate::ops::Sandwich<$Operand<T>> for $Versor<T> {
             type Output = $Result<T>;
-            /// `V x̂ Ṽ` as two products, restricted to the grades of `x`.
+            #[doc = $doc]
             #[inline]
             fn sandwich(self, x: $Operand<T>) -> $Result<T> {
                 let back = $crate::ops::Reverse::reverse(self);
@@ -252,20 +252,20 @@ macro_rules! composed_sandwich {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! application {
-    ($Versor:ident unit: $($Operand:ident),*) => {$(
+    ($Versor:ident unit: $($Operand:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::Apply<$Operand<T>> for $Versor<T> {
             type Output = <$Versor<T> as $crate::ops::Sandwich<$Operand<T>>>::Output;
-            /// The unit versor applied to `x`, `V x̂ Ṽ` (2.28).
+            #[doc = $doc]
             #[inline]
             fn apply(self, x: $Operand<T>) -> Self::Output {
                 $crate::ops::Sandwich::sandwich(self, x)
             }
         }
     )*};
-    ($Versor:ident divided: $($Operand:ident),*) => {$(
+    ($Versor:ident divided: $($Operand:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::Apply<$Operand<T>> for $Versor<T> {
             type Output = <$Versor<T> as $crate::ops::Sandwich<$Operand<T>>>::Output;
-            /// The versor applied to `x`, `V x̂ V⁻¹` (2.28).
+            #[doc = $doc]
             #[inline]
             fn apply(self, x: $Operand<T>) -> Self::Output {
                 let factor = T::ONE / $crate::ops::NormSquared::norm_squared(self);

@@ -1,5 +1,7 @@
 //! Straight-line kernels: which intermediate values are named, and what the result costs.
 
+use std::ops::Add;
+
 use ga_core::Rational;
 use num_traits::{One, Signed};
 
@@ -34,6 +36,27 @@ pub struct Cost {
     pub multiplications: usize,
     /// Additions, subtractions and doublings.
     pub additions: usize,
+}
+
+impl Cost {
+    /// So many multiplications and nothing else.
+    pub fn multiplying(multiplications: usize) -> Cost {
+        Cost {
+            multiplications,
+            additions: 0,
+        }
+    }
+}
+
+impl Add for Cost {
+    type Output = Cost;
+
+    fn add(self, other: Cost) -> Cost {
+        Cost {
+            multiplications: self.multiplications + other.multiplications,
+            additions: self.additions + other.additions,
+        }
+    }
 }
 
 impl Kernel {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use ga_core::Rational;
 use num_traits::{One, ToPrimitive};
 
-use crate::factor::{Kernel, RECIPROCAL, by_factor};
+use crate::factor::{Cost, Kernel, RECIPROCAL, by_factor};
 use crate::model::Type;
 use crate::poly::{Monomial, Poly, Variable};
 
@@ -200,6 +200,17 @@ pub fn documentation(
     }
     text.push_str(" ```");
     text
+}
+
+/// The operation counts of a function that is composed of others, as a sentence.
+pub fn cost_sentence(cost: Option<Cost>) -> String {
+    cost.map_or_else(String::new, |cost| {
+        format!(
+            " Cost: at most {}, {}.",
+            counted(cost.multiplications, "multiplication"),
+            counted(cost.additions, "addition"),
+        )
+    })
 }
 
 fn counted(number: usize, noun: &str) -> String {

@@ -1,15 +1,18 @@
 //! Versor application: `V x̂ Ṽ` restricted to the grades of `x`, by the cheapest form known.
 
+mod kernels;
+
 use std::fmt::Write;
 
 use ga_core::Product;
 
+use self::kernels::{cheaper, divided_by_norm, drop_unused, moving, named, onto};
 use super::inverse::parity_type;
 use super::reversed;
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
-use crate::factor::{Kernel, RECIPROCAL, TEMPORARY};
+use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
 use crate::model::Type;
 use crate::poly::{Element, Monomial, Poly, Variable, graded_signs, sum};
@@ -20,6 +23,8 @@ const VERSOR_LIMIT: usize = 200;
 const ELEMENT_LIMIT: usize = 60;
 /// Up to how many types an algebra is small.
 const SMALL_ALGEBRA: usize = 12;
+/// How many terms a sandwich may have before collection for its polynomials to be looked at.
+const LARGEST_POLYNOMIAL: usize = 20_000;
 
 /// What is known of applying one type to another.
 struct Application {
@@ -44,8 +49,14 @@ pub fn applications(generator: &mut Generator<'_>) {
 
 fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
     // A type of null elements only, such as a direction, has sandwiches but is no versor.
-    let invertible = !super::norm_polynomial(generator, v).is_zero();
+    let norm = super::norm_polynomial(generator, v);
+    let invertible = !norm.is_zero();
+    let norm_cost = Kernel::expanded(vec![norm]).cost();
     let unit = is_unit(generator, v);
+    let summary = match unit {
+        true => "The unit versor applied to `x`, `V x̂ Ṽ` (2.28).",
+        false => "The versor applied to `x`, `V x̂ V⁻¹` (2.28): the sandwich over the norm.",
+    };
     let mut composed: Vec<String> = Vec::new();
     let mut applied: Vec<String> = Vec::new();
     for x in 0..generator.model.types.len() {
@@ -53,6 +64,10 @@ fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
             continue;
         };
         let (operand, result) = (generator.name(x), generator.name(application.sandwich));
+        let sandwich_cost = match &application.sandwich_kernel {
+            Some(kernel) => Some(kernel.cost()),
+            None => composed_cost(generator, v, x, application.sandwich),
+        };
         match &application.sandwich_kernel {
             Some(kernel) => {
                 let doc = match unit {
@@ -62,7 +77,13 @@ fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
                 let names = ["Sandwich", "sandwich"];
                 emit_kernel(generator, [v, x, application.sandwich], names, kernel, doc);
             }
-            None => composed.push(format!("{operand} => {result}")),
+            None => {
+                let doc = format!(
+                    " `V x̂ Ṽ` as two products, restricted to the grades of `x`.{}",
+                    expression::cost_sentence(sandwich_cost)
+                );
+                composed.push(format!("{operand} => {result} {doc:?}"));
+            }
         }
         let divided = !unit && generator.kind(application.applied).has_fixed();
         match &application.applied_kernel {
@@ -73,7 +94,13 @@ fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
                 emit_kernel(generator, [v, x, application.applied], names, kernel, doc);
             }
             None if application.applied == application.sandwich && !divided => {
-                applied.push(operand);
+                let fields = generator.kind(application.applied).field_count();
+                let cost = match unit {
+                    true => sandwich_cost,
+                    false => sandwich_cost.map(|cost| cost + norm_cost + Cost::multiplying(fields)),
+                };
+                let doc = format!(" {summary}{}", expression::cost_sentence(cost));
+                applied.push(format!("{operand} {doc:?}"));
             }
             None => emit_kept(generator, v, x, &application),
         }
@@ -95,6 +122,21 @@ fn applications_of(generator: &mut Generator<'_>, v: usize, even: bool) {
             "algebra::application! {{ {name} {norm}: {list} }}"
         );
     }
+}
+
+/// What a sandwich of two products costs at most; `None` where that is too long to find out.
+fn composed_cost(generator: &Generator<'_>, v: usize, x: usize, result: usize) -> Option<Cost> {
+    let (versor, operand) = (&generator.general[v], &generator.general[x][1]);
+    if versor[0].len().pow(2) * operand.len() > LARGEST_POLYNOMIAL {
+        return None;
+    }
+    let product = |a: &Element, b: &Element| generator.tables.product(Product::Geometric, a, b);
+    let first = product(&versor[0], operand);
+    let between = closure::smallest(generator.model, &first)?;
+    let second = product(&generator.general[between][0], &reversed(&versor[1]));
+    let first = Kernel::expanded(generator.onto_fields(between, &first));
+    let second = Kernel::expanded(generator.onto_fields(result, &second));
+    Some(first.cost() + second.cost())
 }
 
 /// Whether `V Ṽ = 1` by declaration or by the fixed coefficients.
@@ -125,7 +167,7 @@ fn application(generator: &Generator<'_>, v: usize, x: usize, even: bool) -> Opt
     // Large types in high dimensions would take minutes of polynomial arithmetic for a body
     // that is composed anyway; there the operand's own grades are the result.
     let size = generator.kind(v).slots.len().pow(2) * kind.slots.len();
-    if size > 20_000 {
+    if size > LARGEST_POLYNOMIAL {
         let by_grade = closure_of_grades(generator, x)?;
         return Some(Application {
             sandwich: by_grade,
@@ -236,119 +278,6 @@ fn closure_of_grades(generator: &Generator<'_>, x: usize) -> Option<usize> {
         .map(|mask| (mask, marker.clone()))
         .collect();
     closure::smallest(generator.model, &element)
-}
-
-/// `x + (V x̂ − x V) V⁻¹` with the difference named: most of its terms cancel before the second
-/// product.
-fn moving(
-    generator: &Generator<'_>,
-    result: usize,
-    difference: &Element,
-    inverse: &Element,
-    operand: &Element,
-    whole: &Element,
-) -> Kernel {
-    let (named, temporaries) = named(difference, 0);
-    let step = onto(generator, result, &named, inverse, whole);
-    let image = sum(operand, &step, 1);
-    let kernel = Kernel {
-        divisor: None,
-        temporaries,
-        outputs: generator.onto_fields(result, &image),
-        form: "x + (V x − x V) V⁻¹",
-    };
-    // With a divided reverse there are more temporaries to come.
-    let ready = inverse
-        .values()
-        .flat_map(Poly::terms)
-        .all(|(monomial, _)| monomial.variables().all(|v| v.operand != TEMPORARY));
-    if ready { drop_unused(kernel) } else { kernel }
-}
-
-/// A variable for every coefficient of an element, counted from a number on, and what they are.
-fn named(element: &Element, from: usize) -> (Element, Vec<Poly>) {
-    let one = ga_core::Rational::from_integer(1);
-    let variables = element.keys().enumerate().map(|(number, mask)| {
-        let slot = (from + number) as u16;
-        let variable = Variable {
-            operand: TEMPORARY,
-            slot,
-        };
-        (*mask, Poly::term(Monomial::of(variable), one))
-    });
-    (variables.collect(), element.values().cloned().collect())
-}
-
-/// The reverse times the reciprocal of the norm, in temporaries counted from a number on.
-fn divided_by_norm(back: &Element, from: usize) -> (Element, Vec<Poly>) {
-    let one = ga_core::Rational::from_integer(1);
-    let reciprocal = Variable {
-        operand: RECIPROCAL,
-        slot: 0,
-    };
-    let factor = Poly::term(Monomial::of(reciprocal), one);
-    let scaled = back.iter().map(|(mask, poly)| {
-        let mut product = Poly::default();
-        product.add_product(poly, &factor, &one);
-        (*mask, product)
-    });
-    named(&scaled.collect(), from)
-}
-
-/// The geometric product on the blades that a type stores and the image can have.
-fn onto(
-    generator: &Generator<'_>,
-    result: usize,
-    left: &Element,
-    right: &Element,
-    whole: &Element,
-) -> Element {
-    let kind = generator.kind(result);
-    generator
-        .tables
-        .product_onto(Product::Geometric, left, right, |mask| {
-            kind.slot(mask).is_some_and(|slot| slot.fixed.is_none()) && whole.contains_key(&mask)
-        })
-}
-
-fn cheaper(a: Kernel, b: Kernel) -> Kernel {
-    if a.cost() <= b.cost() { a } else { b }
-}
-
-/// Removes temporaries that no output uses and numbers the others anew.
-fn drop_unused(kernel: Kernel) -> Kernel {
-    let used = |number: usize| {
-        kernel
-            .outputs
-            .iter()
-            .flat_map(Poly::terms)
-            .any(|(monomial, _)| {
-                monomial
-                    .variables()
-                    .any(|v| v.operand == TEMPORARY && usize::from(v.slot) == number)
-            })
-    };
-    let kept: Vec<usize> = (0..kernel.temporaries.len()).filter(|n| used(*n)).collect();
-    let outputs = kernel.outputs.iter().map(|poly| {
-        poly.renamed(
-            |v| match kept.iter().position(|n| *n == usize::from(v.slot)) {
-                Some(new) if v.operand == TEMPORARY => Variable {
-                    slot: new as u16,
-                    ..v
-                },
-                _ => v,
-            },
-        )
-    });
-    Kernel {
-        divisor: kernel.divisor.clone(),
-        outputs: outputs.collect(),
-        temporaries: kept
-            .iter()
-            .map(|n| kernel.temporaries[*n].clone())
-            .collect(),
-        form: kernel.form,
-    }
 }
 
 fn emit_kernel(
