@@ -76,3 +76,8 @@ pub mod prelude {
     pub use crate::core::{Blade, Field, Real, Scalar};
     pub use crate::{algebra_source, define_algebra};
 }
+
+/// The examples of the README, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
