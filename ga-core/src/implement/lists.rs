@@ -147,7 +147,7 @@ macro_rules! narrowing {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! inverse {
-    ($Name:ident => $Output:ident) => {
+    ($Name:ident => $Output:ident $doc:literal) => {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
@@ -155,7 +155,7 @@ macro_rules! inverse {
             fn determinant(self) -> T {
                 $crate::ops::NormSquared::norm_squared(self)
             }
-            /// The reverse: `X⁻¹ = X̃ / (X X̃)`.
+            #[doc = $doc]
             #[inline]
             fn adjugate(self) -> $Output<T> {
                 $Output::from($crate::ops::Reverse::reverse(self))
@@ -212,9 +212,10 @@ macro_rules! series_exponential {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! quotients {
-    ($Left:ident: $($Right:ident),*) => {$(
+    ($Left:ident: $($Right:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::Quotient<$Right<T>> for $Left<T> {
             type Output = <$Left<T> as $crate::ops::Geometric<<$Right<T> as $crate::ops::Inverse>::Output>>::Output;
+            #[doc = $doc]
             #[inline]
             fn quotient(self, b: $Right<T>) -> Self::Output {
                 $crate::ops::Geometric::geometric(self, $crate::ops::Inverse::reciprocal(b))

@@ -11,9 +11,12 @@ use ga_core::{Involution, Product};
 use super::Generator;
 use super::expression::{self, Names};
 use crate::closure;
-use crate::factor::Kernel;
+use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
 use crate::poly::{Element, Poly, graded_signs};
+
+/// How many pairs of blades a product may have for its cost to be counted.
+const LARGEST_PRODUCT: usize = 1_024;
 
 /// Emits everything that treats a type as a versor.
 pub fn versors(generator: &mut Generator<'_>) {
@@ -79,6 +82,7 @@ fn norm(generator: &mut Generator<'_>, a: usize) {
 fn quotients(generator: &mut Generator<'_>) {
     let count = generator.model.types.len();
     let inverses: Vec<Option<usize>> = (0..count).map(|b| inverse::result(generator, b)).collect();
+    let costs: Vec<Option<Cost>> = (0..count).map(|b| inverse::cost(generator, b)).collect();
     let mut source = String::new();
     for a in 0..count {
         let exists = |inverse: usize| {
@@ -90,8 +94,18 @@ fn quotients(generator: &mut Generator<'_>) {
             }
         };
         let divisors: Vec<String> = (0..count)
-            .filter(|&b| inverses[b].is_some_and(exists))
-            .map(|b| generator.name(b))
+            .filter_map(|b| {
+                let inverse = inverses[b].filter(|&inverse| exists(inverse))?;
+                let product = product_cost(generator, a, inverse);
+                let cost = product
+                    .zip(costs[b])
+                    .map(|(product, inverse)| product + inverse);
+                let doc = format!(
+                    " The quotient `a b⁻¹`, the geometric product with the inverse.{}",
+                    expression::cost_sentence(cost)
+                );
+                Some(format!("{} {doc:?}", generator.name(b)))
+            })
             .collect();
         if !divisors.is_empty() {
             let name = generator.name(a);
@@ -103,4 +117,15 @@ fn quotients(generator: &mut Generator<'_>) {
         }
     }
     generator.source.push_str(&source);
+}
+
+/// What a geometric product costs; `None` where it is too long to find out.
+fn product_cost(generator: &Generator<'_>, a: usize, b: usize) -> Option<Cost> {
+    let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
+    if left.len() * right.len() > LARGEST_PRODUCT {
+        return None;
+    }
+    let product = generator.tables.product(Product::Geometric, left, right);
+    let result = closure::smallest(generator.model, &product)?;
+    Some(Kernel::expanded(generator.onto_fields(result, &product)).cost())
 }

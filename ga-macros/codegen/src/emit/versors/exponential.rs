@@ -9,7 +9,7 @@ use super::inverse::parity_type;
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
-use crate::factor::Kernel;
+use crate::factor::{Cost, Kernel};
 use crate::poly::{Element, Poly};
 
 /// Emits `exp` of every type, `log` and `sqrt` of those of the form scalar plus bivector.
@@ -84,18 +84,20 @@ fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element
         let _ = writeln!(
             generator.source,
             "impl<T: Number> Exponential for {name}<T> {{ type Output = {output}<T>; \
-             #[doc = \" The exponential `1 + X`, because `X² = 0`.\"] \
+             #[doc = \" The exponential `1 + X`, because `X² = 0`; no operations.\"] \
              #[inline] fn exp(self) -> {output}<T> {{ {output} {{ {} }} }} }}",
             fields.join(", ")
         );
         return;
     }
+    let cost = Kernel::expanded(vec![square.clone()]).cost() + Cost::multiplying(fields.len() - 1);
     let text = format!(
         "impl<T: Real> Exponential for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The exponential `C(X²) + S(X²) X` (2.62), with `C(a) = cosh √a` and \
-         `S(a) = sinh √a / √a` continued to negative `a`.\"] \
+         `S(a) = sinh √a / √a` continued to negative `a`.{} One evaluation of both.\"] \
          #[inline] fn exp(self) -> {output}<T> {{ \
          let (c, s) = ({}).cosh_sinhc(); {output} {{ {} }} }} }}\n",
+        expression::cost_sentence(Some(cost)),
         square_code(generator, a, square),
         fields.join(", ")
     );
@@ -151,17 +153,21 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
         return;
     };
     let field = &scalar_slot.field;
+    let fields = generator.kind(a).field_count();
+    let cost = Kernel::expanded(vec![square.clone()]).cost() + Cost::multiplying(fields + 2);
+    let sentence = expression::cost_sentence(Some(cost));
     let square = square_code(generator, a, square);
     let text = format!(
         "impl<T: Real> Logarithm for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The principal logarithm of the versor over its norm (2.68, 2.69 with the sign \
-         of the scalar part respected); `None` where no real one exists or it is not unique.\"] \
+         of the scalar part respected); `None` where no real one exists or it is not unique.{sentence} \
+         Four divisions, a root and an inverse tangent or sine.\"] \
          #[inline] fn log(self) -> ::core::option::Option<{output}<T>> {{ \
          let (r, square) = algebra::convert::polar(self.{field}, {square})?; \
          let f = (self.{field} / r).log_factor(square / (r * r))? / r; Some({}) }} }}\n\
          impl<T: Real> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
          #[doc = \" The principal square root (2.37, 2.38), `(R + |R|) / √(2(⟨R⟩ + |R|))`; `None` \
-         where no real one exists or it is not unique.\"] \
+         where no real one exists or it is not unique.{sentence} Two divisions and two roots.\"] \
          #[inline] fn sqrt(self) -> ::core::option::Option<{name}<T>> {{ \
          let (c, f) = algebra::convert::half(self.{field}, {square})?; Some({}) }} }}\n",
         scale(result, part, "T::ZERO"),
@@ -214,10 +220,10 @@ fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
     let (name, output) = (generator.name(a), generator.name(result));
     let text = format!(
         "impl<T: Number> Logarithm for {name}<T> {{ type Output = {output}<T>; \
-         #[doc = \" The logarithm of `1 + X` with `X² = 0` is `X`; it always exists.\"] \
+         #[doc = \" The logarithm of `1 + X` with `X² = 0` is `X`; it always exists. No operations.\"] \
          #[inline] fn log(self) -> ::core::option::Option<{output}<T>> {{ Some({output} {{ {} }}) }} }}\n\
          impl<T: Field> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
-         #[doc = \" The square root of `1 + X` with `X² = 0` is `1 + X/2`; it always exists.\"] \
+         #[doc = \" The square root of `1 + X` with `X² = 0` is `1 + X/2`; it always exists. One multiplication per coefficient.\"] \
          #[inline] fn sqrt(self) -> ::core::option::Option<{name}<T>> {{ let f = T::from_ratio(1, 2); \
          Some({name} {{ {} }}) }} }}\n",
         fields(result, ""),

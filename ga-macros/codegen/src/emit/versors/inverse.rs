@@ -9,7 +9,7 @@ use super::reversed;
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
-use crate::factor::{Kernel, TEMPORARY};
+use crate::factor::{Cost, Kernel, TEMPORARY};
 use crate::poly::{Element, Monomial, Poly, Variable, sum};
 
 /// How a type is inverted.
@@ -93,6 +93,26 @@ fn numerator(generator: &Generator<'_>, a: usize, scalar: &Poly, rest: &Element)
     )
 }
 
+/// What an inverse costs beyond one division; `None` for the general algorithm.
+pub fn cost(generator: &Generator<'_>, a: usize) -> Option<Cost> {
+    let fields = generator.kind(result(generator, a)?).field_count();
+    let polynomials = match formula(generator, a) {
+        Formula::Norm => vec![super::norm_polynomial(generator, a)],
+        Formula::Conjugate { scalar, rest, .. } => {
+            let squares: Vec<Poly> = rest.into_values().chain([scalar]).collect();
+            // The determinant squares each of them, the numerator multiplies each field by each.
+            let steps = squares.len() * (1 + generator.kind(a).field_count());
+            let whole = Kernel::expanded(squares).cost() + Cost::multiplying(steps + fields);
+            return Some(Cost {
+                additions: whole.additions + steps,
+                ..whole
+            });
+        }
+        Formula::General => return None,
+    };
+    Some(Kernel::expanded(polynomials).cost() + Cost::multiplying(fields))
+}
+
 /// Emits the inverse of a type.
 pub fn inverse(generator: &mut Generator<'_>, a: usize) {
     let Some(result) = result(generator, a) else {
@@ -101,9 +121,13 @@ pub fn inverse(generator: &mut Generator<'_>, a: usize) {
     let (name, output) = (generator.name(a), generator.name(result));
     match formula(generator, a) {
         Formula::Norm => {
+            let doc = format!(
+                " The reverse; over the squared norm it is the inverse, `X⁻¹ = X̃ / (X X̃)`.{}",
+                expression::cost_sentence(cost(generator, a))
+            );
             let _ = writeln!(
                 generator.source,
-                "algebra::inverse! {{ {name} => {output} }}"
+                "algebra::inverse! {{ {name} => {output} {doc:?} }}"
             );
         }
         Formula::General => {
