@@ -121,6 +121,11 @@ maps! {
     /// The Clifford conjugate: sign (−1)^{k(k+1)/2} on grade k.
     Conjugate conjugate
     /// The dual `A I⁻¹`, operator `!`; only where the pseudoscalar is invertible.
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` has no dual",
+        label = "not generated",
+        note = "the metric is degenerate, where only the complements exist, or no declared type holds the dual"
+    )]
     Dual dual
     /// The inverse of the dual, `A I`.
     Undual undual
@@ -135,6 +140,11 @@ maps! {
 }
 
 /// Multiplicative inverses.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no generated inverse",
+    label = "not generated",
+    note = "no declared type holds the inverse; above eight dimensions only elements whose `X X̃` is always a scalar have one, and `ga_core::dense` inverts any element at run time"
+)]
 pub trait Inverse: Sized {
     /// The type of the coefficients.
     type Number: Field;

@@ -1,5 +1,22 @@
 //! Functions that differ only in the types they take: listed by pair instead of spelled out.
 
+/// Functions of two operands with bodies of their own: one implementation for each.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! unrolled {
+    (impl<T: $Bound:ident> $Trait:ident for $Left:ident<T> {$(
+        $(#[$doc:meta])*
+        fn $method:ident($this:ident, $argument:ident: $Right:ty) -> $Output:ty $body:block
+    )*}) => {$(
+        impl<T: $Bound> $Trait<$Right> for $Left<T> {
+            type Output = $Output;
+            $(#[$doc])*
+            #[inline]
+            fn $method($this, $argument: $Right) -> $Output $body
+        }
+    )*};
+}
+
 /// Products that vanish identically.
 #[doc(hidden)]
 #[macro_export]
@@ -87,6 +104,7 @@ macro_rules! sums {
     ($bound:ident $Left:ident: $($Right:ident => $Sum:ident),*) => {$(
         impl<T: $crate::$bound> ::core::ops::Add<$Right<T>> for $Left<T> {
             type Output = $Sum<T>;
+            /// The sum, in the smallest type that holds both; one addition a coefficient.
             #[inline]
             fn add(self, b: $Right<T>) -> $Sum<T> {
                 $Sum::from(self) + $Sum::from(b)
@@ -94,6 +112,8 @@ macro_rules! sums {
         }
         impl<T: $crate::$bound> ::core::ops::Sub<$Right<T>> for $Left<T> {
             type Output = $Sum<T>;
+            /// The difference, in the smallest type that holds both; one subtraction a
+            /// coefficient.
             #[inline]
             fn sub(self, b: $Right<T>) -> $Sum<T> {
                 $Sum::from(self) - $Sum::from(b)
@@ -118,6 +138,7 @@ macro_rules! references {
             $Left<T>: $crate::ops::$trait<$Right<T>>,
         {
             type Output = <$Left<T> as $crate::ops::$trait<$Right<T>>>::Output;
+            /// The same with the value.
             #[inline]
             fn $method(self, b: &'b $Right<T>) -> Self::Output {
                 $crate::ops::$trait::$method(self, *b)
@@ -133,8 +154,9 @@ macro_rules! narrowing {
     ($Name:ident: $($Wide:ident),*) => {$(
         impl<T: $crate::Real> ::core::convert::TryFrom<$Wide<T>> for $Name<T> {
             type Error = $crate::Narrowing;
-            /// Drops the coefficients that the type does not store; an error where one of them
-            /// is not negligible against the largest.
+            /// The coefficients that the type stores, each as it is; an error where one of the
+            /// others is not negligible against the largest. No operations apart from the
+            /// comparison: two multiplications and two additions a coefficient at most.
             #[inline]
             fn try_from(wide: $Wide<T>) -> ::core::result::Result<Self, $crate::Narrowing> {
                 $crate::convert::narrow(wide, T::from_f64($crate::Narrowing::TOLERANCE))
@@ -151,6 +173,7 @@ macro_rules! inverse {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
+            /// The squared norm `X X̃`, at the cost of `norm_squared`.
             #[inline]
             fn determinant(self) -> T {
                 $crate::ops::NormSquared::norm_squared(self)
@@ -160,6 +183,7 @@ macro_rules! inverse {
             fn adjugate(self) -> $Output<T> {
                 $Output::from($crate::ops::Reverse::reverse(self))
             }
+            /// The adjugate times a number, one multiplication a coefficient.
             #[inline]
             fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
                 adjugate * factor
@@ -172,19 +196,22 @@ macro_rules! inverse {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! general_inverse {
-    ($Name:ident => $Output:ident in $All:ident $count:literal) => {
+    ($Name:ident => $Output:ident in $All:ident $count:literal $doc:literal) => {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
+            #[doc = $doc]
             #[inline]
             fn determinant(self) -> T {
                 $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).1
             }
+            #[doc = $doc]
             fn adjugate(self) -> $Output<T> {
                 $crate::convert::pick(
                     $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).0,
                 )
             }
+            /// The adjugate times a number, one multiplication a coefficient.
             #[inline]
             fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
                 adjugate * factor
@@ -274,4 +301,36 @@ macro_rules! application {
             }
         }
     )*};
+}
+
+/// Versor application handed on by duality: the pseudoscalar passes through versors, so that
+/// `(V I)[x] = V[x̂]` and `V[x I] = ±V[x] I`, minus for odd versors.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! dual_application {
+    ($Versor:ident: $($form:ident $Operand:ident => $Output:ident $doc:literal),*) => {$(
+        impl<T: $crate::Field> $crate::ops::Apply<$Operand<T>> for $Versor<T> {
+            type Output = $Output<T>;
+            #[doc = $doc]
+            #[inline]
+            fn apply(self, x: $Operand<T>) -> $Output<T> {
+                $crate::dual_application!(@$form self x)
+            }
+        }
+    )*};
+    (@versor $v:ident $x:ident) => {
+        $v.dual().apply($x)
+    };
+    (@minus_versor $v:ident $x:ident) => {
+        -$v.dual().apply($x)
+    };
+    (@involuted_versor $v:ident $x:ident) => {
+        $v.dual().apply($x.involute())
+    };
+    (@operand $v:ident $x:ident) => {
+        $v.apply($x.dual()).undual()
+    };
+    (@minus_operand $v:ident $x:ident) => {
+        -$v.apply($x.dual()).undual()
+    };
 }

@@ -8,6 +8,7 @@ mod expression;
 mod involutions;
 mod products;
 mod types;
+mod unrolled;
 mod versors;
 
 use std::collections::HashMap;

@@ -5,7 +5,7 @@ use std::ops::Add;
 use ga_core::Rational;
 use num_traits::{One, Signed};
 
-use crate::poly::{Monomial, Poly};
+use crate::poly::{Monomial, Poly, Variable};
 
 /// A function body: temporaries first, then one polynomial per field of the result.
 ///
@@ -97,6 +97,35 @@ impl Kernel {
             cost.additions += poly.len().saturating_sub(1);
         }
         cost
+    }
+
+    /// The kernel without the temporaries that no output uses, the others numbered anew.
+    pub fn without_unused(self) -> Kernel {
+        let used = |number: usize| {
+            let mut monomials = self.outputs.iter().flat_map(Poly::terms);
+            monomials.any(|(monomial, _)| {
+                monomial
+                    .variables()
+                    .any(|v| v.operand == TEMPORARY && usize::from(v.slot) == number)
+            })
+        };
+        let kept: Vec<usize> = (0..self.temporaries.len()).filter(|n| used(*n)).collect();
+        let renumbered = |v: Variable| {
+            let new = kept.iter().position(|n| *n == usize::from(v.slot));
+            match new.filter(|_| v.operand == TEMPORARY) {
+                Some(new) => Variable {
+                    slot: new as u16,
+                    ..v
+                },
+                None => v,
+            }
+        };
+        let outputs = self.outputs.iter().map(|poly| poly.renamed(renumbered));
+        Kernel {
+            outputs: outputs.collect(),
+            temporaries: kept.iter().map(|n| self.temporaries[*n].clone()).collect(),
+            ..self
+        }
     }
 
     /// How many monomials the kernel writes.

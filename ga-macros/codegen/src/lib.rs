@@ -18,6 +18,7 @@ mod closure;
 mod emit;
 mod errors;
 mod factor;
+mod layout;
 mod ledger;
 mod model;
 mod parse;
@@ -104,7 +105,7 @@ fn quote_error(message: &str) -> TokenStream {
 /// Tokens as formatted Rust; tokens that are no file are returned as they print.
 fn format(tokens: TokenStream) -> String {
     match syn::parse2(tokens.clone()) {
-        Ok(file) => line_comments(&prettyplease::unparse(&file)),
+        Ok(file) => layout::source(file),
         Err(_) => tokens.to_string(),
     }
 }
@@ -123,37 +124,4 @@ pub fn source_tokens(tokens: TokenStream) -> TokenStream {
     }
     let messages = errors.to_tokens();
     quote!({ #messages "" })
-}
-
-/// Documentation in block comments as line comments, which is how people read it.
-fn line_comments(source: &str) -> String {
-    let mut result = String::with_capacity(source.len());
-    let mut lines = source.lines();
-    while let Some(line) = lines.next() {
-        let text = line.trim_start();
-        let indent = &line[..line.len() - text.len()];
-        let Some(mut comment) = text.strip_prefix("/**") else {
-            result.push_str(line);
-            result.push('\n');
-            continue;
-        };
-        loop {
-            let (content, closed) = match comment.strip_suffix("*/") {
-                Some(content) => (content, true),
-                None => (comment, false),
-            };
-            result.push_str(format!("{indent}///{content}").trim_end());
-            result.push('\n');
-            match (closed, lines.next()) {
-                (false, Some(next)) => comment = next,
-                (_, Some(next)) => {
-                    result.push_str(next);
-                    result.push('\n');
-                    break;
-                }
-                (_, None) => break,
-            }
-        }
-    }
-    result
 }

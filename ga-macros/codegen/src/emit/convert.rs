@@ -4,7 +4,8 @@
 use std::fmt::Write;
 
 use super::Generator;
-use super::expression::{Names, code};
+use super::expression::{Names, code, doc, documentation};
+use super::unrolled;
 use crate::closure;
 use crate::factor::Kernel;
 use crate::poly::{Element, Poly};
@@ -23,16 +24,9 @@ impl Generator<'_> {
     }
 }
 
-/// Up to how many types an algebra has sums of different types and products with references on
-/// the right: their number grows with the square of the types, and with it the time to compile.
-const CONVENIENT: usize = 16;
-
 /// Emits the sums of different types and the products with references on the right.
 pub fn conveniences(generator: &mut Generator<'_>) {
     let count = generator.model.types.len();
-    if count > CONVENIENT {
-        return;
-    }
     let mut source = String::new();
     for a in 0..count {
         let name = generator.name(a);
@@ -92,15 +86,15 @@ pub fn conversions(generator: &mut Generator<'_>) {
                     })
                     .collect();
                 let into = generator.name(b);
-                let bound = if super::expression::is_integral(&kernel) {
-                    "Number"
-                } else {
-                    "Field"
-                };
+                let bound = unrolled::bound(&kernel);
+                let summary = "The same element: coefficients that the operand lacks are zero.";
+                let documentation =
+                    documentation(summary, &kernel, Some(generator.kind(b)), &names);
                 let _ = writeln!(
                     source,
-                    "impl<T: {bound}> From<{from}<T>> for {into}<T> {{ #[inline] \
+                    "impl<T: {bound}> From<{from}<T>> for {into}<T> {{ {} #[inline] \
                      fn from(a: {from}<T>) -> Self {{ {into} {{ {} }} }} }}",
+                    doc(&documentation),
                     fields.join(", ")
                 );
                 let back = closure::holds(generator.kind(a), &generator.general[b][0]);

@@ -6,6 +6,7 @@ use ga_core::{Blade, Involution, Rational, dual};
 
 use super::Generator;
 use super::expression::{self, Names};
+use super::unrolled;
 use crate::closure;
 use crate::factor::Kernel;
 use crate::ledger::Entry;
@@ -22,7 +23,7 @@ pub fn involutions(generator: &mut Generator<'_>) {
         }
         complements(generator, a, &element);
         if !generator.model.metric.is_degenerate() {
-            duals(generator, a, &element);
+            duals(generator, a);
         }
     }
 }
@@ -61,11 +62,22 @@ fn complements(generator: &mut Generator<'_>, a: usize, element: &Element) {
     }
 }
 
-fn duals(generator: &mut Generator<'_>, a: usize, element: &Element) {
+/// The dual of the general element of a type; `None` where the metric has no duals.
+pub fn dual_image(generator: &Generator<'_>, a: usize) -> Option<Element> {
     let metric = &generator.model.metric;
-    let dual_image = image(element, |blade| dual::dual(metric, blade));
-    let undual_image = image(element, |blade| dual::undual(metric, blade));
-    if let (Some(down), Some(up)) = (dual_image, undual_image) {
+    image(&generator.general[a][0], |blade| dual::dual(metric, blade))
+}
+
+/// What the general element of a type is the dual of.
+pub fn undual_image(generator: &Generator<'_>, a: usize) -> Option<Element> {
+    let metric = &generator.model.metric;
+    image(&generator.general[a][0], |blade| {
+        dual::undual(metric, blade)
+    })
+}
+
+fn duals(generator: &mut Generator<'_>, a: usize) {
+    if let (Some(down), Some(up)) = (dual_image(generator, a), undual_image(generator, a)) {
         linear(generator, a, &down, "Dual", "dual", "The dual `A I⁻¹`.");
         linear(
             generator,
@@ -124,11 +136,7 @@ fn linear(
     let documentation =
         expression::documentation(doc, &kernel, Some(generator.kind(result)), &names);
     let (name, output) = (generator.name(a), generator.name(result));
-    let bound = if expression::is_integral(&kernel) {
-        "Number"
-    } else {
-        "Field"
-    };
+    let bound = unrolled::bound(&kernel);
     let _ = writeln!(
         generator.source,
         "impl<T: {bound}> {trait_name} for {name}<T> {{ type Output = {output}<T>; {} #[inline] \

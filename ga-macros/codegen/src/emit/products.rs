@@ -10,6 +10,7 @@ use ga_core::{Involution, Product, Rational};
 use self::looped::{emit_loop, emit_table, loop_from};
 use super::Generator;
 use super::expression::{self, Names};
+use super::unrolled::{self, Function, Lists};
 use crate::closure;
 use crate::factor::Kernel;
 use crate::ledger::Entry;
@@ -20,11 +21,12 @@ pub fn products(generator: &mut Generator<'_>) {
     let count = generator.model.types.len();
     let mut loops = false;
     for a in 0..count {
+        let mut unrolled = Lists::new(generator.name(a));
         let mut vanishing: Vec<(Product, Vec<String>)> = Vec::new();
         let mut shared: Vec<(Product, Vec<String>)> = Vec::new();
         for b in 0..count {
             for &product in &generator.model.products {
-                match emit_pair(generator, product, a, b) {
+                match emit_pair(generator, &mut unrolled, product, a, b) {
                     Emitted::Nothing | Emitted::Unrolled => {}
                     Emitted::Vanishes => add(&mut vanishing, product, generator.name(b)),
                     Emitted::Loop => loops = true,
@@ -32,6 +34,7 @@ pub fn products(generator: &mut Generator<'_>) {
                 }
             }
         }
+        unrolled.write(&mut generator.source);
         let name = generator.name(a);
         for (product, list) in shared {
             let (trait_name, method) = (product.trait_name(), product.method());
@@ -96,7 +99,13 @@ fn add(lists: &mut Vec<(Product, Vec<String>)>, product: Product, entry: String)
 }
 
 /// Emits one product of two types.
-fn emit_pair(generator: &mut Generator<'_>, product: Product, a: usize, b: usize) -> Emitted {
+fn emit_pair(
+    generator: &mut Generator<'_>,
+    lists: &mut Lists,
+    product: Product,
+    a: usize,
+    b: usize,
+) -> Emitted {
     let size = generator.kind(a).slots.len() * generator.kind(b).slots.len();
     if size > loop_from(generator.model.dimension()) {
         return emit_loop(generator, product, a, b);
@@ -109,12 +118,13 @@ fn emit_pair(generator: &mut Generator<'_>, product: Product, a: usize, b: usize
     let Some(result) = result_type(generator, product, &element) else {
         return Emitted::Nothing;
     };
-    emit_unrolled(generator, product, [a, b], result, &element)
+    emit_unrolled(generator, lists, product, [a, b], result, &element)
 }
 
 /// Emits a product with a body of its own, or as a call of one emitted before.
 fn emit_unrolled(
     generator: &mut Generator<'_>,
+    lists: &mut Lists,
     product: Product,
     [a, b]: [usize; 2],
     result: usize,
@@ -159,20 +169,19 @@ fn emit_unrolled(
     entry.form = kernel.form.to_owned();
     entry.cost = Some(kernel.cost());
     generator.record(entry);
-    let body = expression::body(&kernel, result_kind, &names);
-    let output = if is_number {
-        output
-    } else {
-        format!("{output}<T>")
+    let output = match is_number {
+        true => output,
+        false => format!("{output}<T>"),
     };
-    let bound = if integral { "Number" } else { "Field" };
-    let (trait_name, method) = (product.trait_name(), product.method());
-    let _ = writeln!(
-        generator.source,
-        "impl<T: {bound}> {trait_name}<{right}<T>> for {left}<T> {{ type Output = {output}; {} \
-         #[inline] fn {method}(self, b: {right}<T>) -> {output} {{ {body} }} }}",
-        expression::doc(&documentation),
-    );
+    lists.push(&Function {
+        trait_name: product.trait_name(),
+        method: product.method(),
+        bound: unrolled::bound(&kernel),
+        argument: ("b", &right),
+        output: &output,
+        documentation: &documentation,
+        body: &expression::body(&kernel, result_kind, &names),
+    });
     Emitted::Unrolled
 }
 

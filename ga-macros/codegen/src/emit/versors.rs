@@ -10,6 +10,7 @@ use ga_core::{Involution, Product};
 
 use super::Generator;
 use super::expression::{self, Names};
+use super::unrolled;
 use crate::closure;
 use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
@@ -53,11 +54,7 @@ fn norm(generator: &mut Generator<'_>, a: usize) {
     let names = Names::new(generator.kind(a), None);
     let kernel = Kernel::expanded(vec![poly]);
     generator.check(&kernel);
-    let bound = if expression::is_integral(&kernel) {
-        "Number"
-    } else {
-        "Field"
-    };
+    let bound = unrolled::bound(&kernel);
     let body = expression::body(&kernel, None, &names);
     let doc = "The squared norm `⟨X X̃⟩`, with its sign.";
     let documentation = expression::documentation(doc, &kernel, None, &names);

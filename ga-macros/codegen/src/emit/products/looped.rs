@@ -57,8 +57,16 @@ pub fn emit_loop(generator: &mut Generator<'_>, product: Product, a: usize, b: u
     };
     let (trait_name, method) = (product.trait_name(), product.method());
     let documentation = format!(
-        " {} A loop over the table of the geometric product: {} terms.",
+        " {} A loop over the table of the geometric product, each term a product of two \
+         coefficients with the sign or the factor of the table. Cost: at most {} \
+         multiplications{}, {} additions.",
         product.doc(),
+        reach.terms,
+        if reach.integral {
+            ""
+        } else {
+            " and as many by factors"
+        },
         reach.terms,
     );
     let fractions = [a, b]

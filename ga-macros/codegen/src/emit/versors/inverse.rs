@@ -132,9 +132,10 @@ pub fn inverse(generator: &mut Generator<'_>, a: usize) {
         }
         Formula::General => {
             let all = 1_usize << generator.model.dimension();
+            let doc = general_documentation(generator);
             let _ = writeln!(
                 generator.source,
-                "algebra::general_inverse! {{ {name} => {output} in Multivector {all} }}"
+                "algebra::general_inverse! {{ {name} => {output} in Multivector {all} {doc:?} }}"
             );
         }
         Formula::Conjugate {
@@ -146,6 +147,35 @@ pub fn inverse(generator: &mut Generator<'_>, a: usize) {
             generator.source.push_str(&text);
         }
     }
+}
+
+/// What the Faddeev–LeVerrier algorithm does, and what it costs.
+fn general_documentation(generator: &Generator<'_>) -> String {
+    let dimension = generator.model.dimension();
+    let order = 1_usize << dimension.div_ceil(2);
+    let product = generator
+        .model
+        .type_named("Multivector")
+        .and_then(|all| super::product_cost(generator, all, all));
+    let cost = match product {
+        Some(product) => {
+            let whole = Cost {
+                multiplications: (order - 1) * (product.multiplications + 1),
+                additions: (order - 1) * (product.additions + 1),
+            };
+            expression::cost_sentence(Some(whole))
+        }
+        None => format!(
+            " Cost: {} products of two multivectors, each a loop of at most {} terms.",
+            order - 1,
+            1_usize << (2 * dimension)
+        ),
+    };
+    format!(
+        " By the Faddeev–LeVerrier recursion, `A⁻¹ = P / d`: from `U = A`, for `k = 1 … {}`, \
+         `P = U − ({order}/k) ⟨U⟩` and `U = A P`; then `d = ⟨U⟩`.{cost}",
+        order - 1
+    )
 }
 
 fn conjugate_inverse(
@@ -203,18 +233,24 @@ fn conjugate_inverse(
         temporaries,
         outputs: vec![named_determinant],
         form: "conjugate",
-    };
+    }
+    .without_unused();
     let doc = "The inverse `X̃ (s − W) / (s² − W²)` with `X X̃ = s + W`, by its numerator.";
     let documentation =
         expression::documentation(doc, &kernel, Some(generator.kind(result)), &names);
     let numerator = expression::body(&kernel, Some(generator.kind(result)), &names);
+    let doc = "The determinant `s² − W²` with `X X̃ = s + W`.";
+    let determinant_documentation =
+        expression::documentation(doc, &determinant_kernel, None, &names);
     let determinant = expression::body(&determinant_kernel, None, &names);
     let (name, output) = (generator.name(a), generator.name(result));
     format!(
         "impl<T: Field> Inverse for {name}<T> {{ type Output = {output}<T>; type Number = T; \
-         #[inline] fn determinant(self) -> T {{ {determinant} }} {} #[inline] \
+         {} #[inline] fn determinant(self) -> T {{ {determinant} }} {} #[inline] \
          fn adjugate(self) -> {output}<T> {{ {numerator} }} \
+         #[doc = \" The adjugate times a number, one multiplication a coefficient.\"] \
          #[inline] fn scale(adjugate: {output}<T>, factor: T) -> {output}<T> {{ adjugate * factor }} }}\n",
+        expression::doc(&determinant_documentation),
         expression::doc(&documentation)
     )
 }

@@ -30,7 +30,11 @@ pub fn moving(
         .values()
         .flat_map(Poly::terms)
         .all(|(monomial, _)| monomial.variables().all(|v| v.operand != TEMPORARY));
-    if ready { drop_unused(kernel) } else { kernel }
+    if ready {
+        kernel.without_unused()
+    } else {
+        kernel
+    }
 }
 
 /// A variable for every coefficient of an element, counted from a number on, and what they are.
@@ -82,40 +86,4 @@ pub fn onto(
 /// The kernel that costs less; of equals the first.
 pub fn cheaper(a: Kernel, b: Kernel) -> Kernel {
     if a.cost() <= b.cost() { a } else { b }
-}
-
-/// Removes temporaries that no output uses and numbers the others anew.
-pub fn drop_unused(kernel: Kernel) -> Kernel {
-    let used = |number: usize| {
-        kernel
-            .outputs
-            .iter()
-            .flat_map(Poly::terms)
-            .any(|(monomial, _)| {
-                monomial
-                    .variables()
-                    .any(|v| v.operand == TEMPORARY && usize::from(v.slot) == number)
-            })
-    };
-    let kept: Vec<usize> = (0..kernel.temporaries.len()).filter(|n| used(*n)).collect();
-    let outputs = kernel.outputs.iter().map(|poly| {
-        poly.renamed(
-            |v| match kept.iter().position(|n| *n == usize::from(v.slot)) {
-                Some(new) if v.operand == TEMPORARY => Variable {
-                    slot: new as u16,
-                    ..v
-                },
-                _ => v,
-            },
-        )
-    });
-    Kernel {
-        divisor: kernel.divisor.clone(),
-        outputs: outputs.collect(),
-        temporaries: kept
-            .iter()
-            .map(|n| kernel.temporaries[*n].clone())
-            .collect(),
-        form: kernel.form,
-    }
 }

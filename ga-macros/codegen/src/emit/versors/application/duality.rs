@@ -1,0 +1,125 @@
+//! Applications handed on by duality: `I` passes through versors, so that `(V I)[x] = V[x̂]` and
+//! `V[x I] = ±V[x] I`.
+
+use std::collections::HashMap;
+
+use super::derivation::SMALL_ALGEBRA;
+use crate::emit::Generator;
+use crate::emit::involutions::{dual_image, undual_image};
+use crate::factor::Cost;
+use crate::poly::Element;
+
+/// What is known of the applications emitted so far, and which types stand for others.
+pub struct Duality {
+    /// For a type whose dual is declared too and comes first, that type.
+    primary: Vec<Option<usize>>,
+    /// Result type and cost of every application, by versor and operand.
+    known: HashMap<[usize; 2], (usize, Option<Cost>)>,
+}
+
+/// How an application is handed on.
+pub struct HandedOn {
+    /// The arm of `ga_core::dual_application!`.
+    pub form: &'static str,
+    /// The rule, for the ledger and the documentation.
+    pub rule: &'static str,
+    /// The versor and the operand of the application that does the work.
+    pub base: [usize; 2],
+    /// The type of the result.
+    pub output: usize,
+    /// What it costs: duals only move coefficients.
+    pub cost: Option<Cost>,
+}
+
+impl Duality {
+    /// Pairs the types that are each other's duals. In small algebras every application has a
+    /// body of its own.
+    pub fn new(generator: &Generator<'_>) -> Duality {
+        let count = generator.model.types.len();
+        let large = count > SMALL_ALGEBRA && !generator.model.metric.is_degenerate();
+        let primary = (0..count).map(|a| primary(generator, a).filter(|_| large));
+        Duality {
+            primary: primary.collect(),
+            known: HashMap::new(),
+        }
+    }
+
+    /// All types, those first that others are handed on to.
+    pub fn order(&self) -> Vec<usize> {
+        let (second, mut all): (Vec<usize>, Vec<usize>) =
+            (0..self.primary.len()).partition(|&a| self.primary[a].is_some());
+        all.extend(second);
+        all
+    }
+
+    /// Notes an application with a body.
+    pub fn note(&mut self, types: [usize; 2], output: usize, cost: Option<Cost>) {
+        self.known.insert(types, (output, cost));
+    }
+
+    /// How the application of one type to another follows from one that is known.
+    pub fn hand_on(&self, generator: &Generator<'_>, [v, x]: [usize; 2]) -> Option<HandedOn> {
+        let operand = generator.kind(x).parity();
+        if let Some(w) = self.primary[v] {
+            let base = [w, x];
+            let &(output, cost) = self.known.get(&base)?;
+            let (form, output) = match operand {
+                Some(true) => ("versor", output),
+                Some(false) => ("minus_versor", generator.sums[output]?),
+                None if generator.kind(x).has_fixed() => return None,
+                None => ("involuted_versor", output),
+            };
+            return Some(HandedOn {
+                form,
+                rule: "(V I)[x] = V[x̂]",
+                base,
+                output,
+                cost,
+            });
+        }
+        let base = [v, self.primary[x]?];
+        let &(output, cost) = self.known.get(&base)?;
+        let output = type_of(generator, &undual_image(generator, output)?)?;
+        let (form, output) = match generator.kind(v).parity()? {
+            true => ("operand", output),
+            false => ("minus_operand", generator.sums[output]?),
+        };
+        Some(HandedOn {
+            form,
+            rule: "V[x I] = ±V[x] I",
+            base,
+            output,
+            cost,
+        })
+    }
+}
+
+/// The type that an element fits exactly: all of its coefficients and no others.
+fn type_of(generator: &Generator<'_>, element: &Element) -> Option<usize> {
+    (0..generator.model.types.len()).find(|&i| {
+        let kind = generator.kind(i);
+        kind.slots.len() == element.len()
+            && kind.slots.iter().all(|slot| {
+                slot.fixed.is_none()
+                    && element.get(&slot.mask).is_some_and(|poly| {
+                        // Anything but a coefficient moved and signed would cost operations.
+                        let one = ga_core::Rational::from_integer(1);
+                        poly.len() == 1
+                            && poly.terms().all(|(monomial, value)| {
+                                monomial.degree() == 1 && (*value == one || *value == -one)
+                            })
+                    })
+            })
+    })
+}
+
+/// The dual of a type, where that is a type too whose dual is this one, and of lower grade.
+fn primary(generator: &Generator<'_>, a: usize) -> Option<usize> {
+    let dual = type_of(generator, &dual_image(generator, a)?)?;
+    let back = type_of(generator, &undual_image(generator, dual)?)?;
+    let rank = |index: usize| {
+        let lowest = generator.kind(index).grades().trailing_zeros();
+        (lowest, index)
+    };
+    (back == a && rank(dual) < rank(a)).then_some(dual)
+}
