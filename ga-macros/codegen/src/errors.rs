@@ -3,6 +3,7 @@
 mod message;
 mod mistake;
 mod spelling;
+mod wording;
 
 pub use mistake::Mistake;
 pub use spelling::closest;
@@ -71,27 +72,29 @@ impl Errors {
 
     /// One line per mistake, `line:column: message`, from top to bottom.
     pub fn report(&self) -> String {
-        let mut lines: Vec<(usize, usize, String)> = self
-            .found
+        self.from_top_to_bottom()
             .iter()
             .map(|found| {
                 let start = found.first.start();
-                (start.line, start.column + 1, found.mistake.to_string())
+                let (line, column) = (start.line, start.column + 1);
+                format!("{line}:{column}: {}\n", found.mistake)
             })
-            .collect();
-        lines.sort_by_key(|(line, column, _)| (*line, *column));
-        lines
-            .iter()
-            .map(|(line, column, message)| format!("{line}:{column}: {message}\n"))
             .collect()
+    }
+
+    /// The mistakes in the order of their tokens.
+    fn from_top_to_bottom(&self) -> Vec<&Found> {
+        let mut ordered: Vec<&Found> = self.found.iter().collect();
+        ordered.sort_by_key(|found| (found.first.start().line, found.first.start().column));
+        ordered
     }
 
     /// The `compile_error!` items, each at its own tokens.
     ///
     /// The compiler underlines from the first token of an item to its last one.
     pub fn to_tokens(&self) -> TokenStream {
-        self.found
-            .iter()
+        self.from_top_to_bottom()
+            .into_iter()
             .map(|found| {
                 let message = found.mistake.to_string();
                 let path = quote_spanned!(found.first=> ::core::compile_error!);

@@ -98,11 +98,19 @@ fn parse_call(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option
         input.parse::<Token![=]>()?;
         let span = input.span();
         let path = syn::Path::parse_mod_style(input);
-        match (path, input.parse::<Token![;]>()) {
-            (Ok(path), Ok(_)) => core = Some(path),
-            _ => {
-                errors.push(span, Mistake::NotAPath);
-                skip_all(input);
+        let Ok(path) = path else {
+            errors.push(span, Mistake::NotAPath);
+            skip_all(input);
+            return Ok(None);
+        };
+        core = Some(path);
+        let end = if input.is_empty() { span } else { input.span() };
+        if input.parse::<Token![;]>().is_err() {
+            errors.push(end, Mistake::PathWithoutSemicolon);
+            if input.parse::<Token![,]>().is_err() {
+                skip_past_mark(input, ';');
+            }
+            if input.is_empty() {
                 return Ok(None);
             }
         }
@@ -111,18 +119,24 @@ fn parse_call(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option
 }
 
 fn parse_algebra(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Option<Algebra>> {
-    let attributes = input.call(Attribute::parse_outer)?;
+    let attributes = parse_attributes(input, errors);
     let visibility: Visibility = input.parse()?;
     if !input.peek(Token![mod]) {
-        let signature = parse_signature(input, errors);
+        let mut signature = parse_signature(input, errors);
         let name = Ident::new(&module_name(&signature.text), signature.spans.0);
         let visibility = match visibility {
             Visibility::Inherited => syn::parse_quote!(pub),
             given => given,
         };
         if input.peek(token::Brace) && !signature.text.is_empty() {
-            let mistake = Mistake::SectionsOfPreset(signature.text.clone());
-            errors.push(input.span(), mistake);
+            if signature.text.contains([' ', ':']) {
+                // `struct name: R3 { … }`: whatever it is, the signature is not what is wrong.
+                errors.push(signature.spans.0, Mistake::NotAModule);
+                signature.text.clear();
+            } else {
+                let mistake = Mistake::SectionsOfPreset(signature.text.clone());
+                errors.push(input.span(), mistake);
+            }
             skip_all(input);
         }
         return Ok(Some(Algebra {
@@ -143,6 +157,13 @@ fn parse_algebra(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Opt
     };
     let signature = if input.parse::<Token![:]>().is_ok() {
         parse_signature(input, errors)
+    } else if !input.is_empty() && !input.peek(token::Brace) && !input.peek(Token![;]) {
+        let mistake = Mistake::ModuleWithoutColon(name.to_string());
+        errors.push(input.span(), mistake);
+        if !input.peek(Ident::peek_any) && !skip_past_mark(input, ':') {
+            let _ = input.parse::<TokenTree>();
+        }
+        parse_signature(input, errors)
     } else {
         let mistake = Mistake::ModuleWithoutSignature(name.to_string());
         errors.push(name.span(), mistake);
@@ -162,8 +183,13 @@ fn parse_algebra(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Opt
         products: None,
     };
     let Some(body) = parse_braces(input) else {
-        let mistake = Mistake::ModuleWithoutBody(algebra.name.to_string());
-        errors.push(algebra.name.span(), mistake);
+        let name = algebra.name.to_string();
+        if is_wrong_body(input) {
+            errors.push(input.span(), Mistake::BodyWithoutBraces(name));
+        } else if !algebra.signature.text.is_empty() {
+            // Where the signature is missing as well, its example shows the body.
+            errors.push(algebra.name.span(), Mistake::ModuleWithoutBody(name));
+        }
         skip_all(input);
         return Ok(Some(algebra));
     };
@@ -193,7 +219,11 @@ pub fn is_plain_identifier(word: &str) -> bool {
 fn parse_signature(input: ParseStream<'_>, errors: &mut Errors) -> Signature {
     let mut text = String::new();
     let mut spans = None;
-    while !input.is_empty() && !input.peek(token::Brace) && !input.peek(Token![;]) {
+    while !input.is_empty()
+        && !input.peek(token::Brace)
+        && !input.peek(Token![;])
+        && (text.is_empty() || !is_wrong_body(input))
+    {
         let Ok(token) = input.parse::<TokenTree>() else {
             break;
         };
@@ -218,13 +248,65 @@ fn parse_signature(input: ParseStream<'_>, errors: &mut Errors) -> Signature {
     Signature { text, spans }
 }
 
-/// Goes on behind the next comma.
+/// Whether sections stand here in brackets or parentheses: empty ones, or with braces inside.
+fn is_wrong_body(input: ParseStream<'_>) -> bool {
+    match input.fork().parse::<TokenTree>() {
+        Ok(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
+            let content = group.stream();
+            content.is_empty() || content.into_iter().any(|token| is_braced(&token))
+        }
+        _ => false,
+    }
+}
+
+/// Attributes and doc comments; those of the form `#![…]` are reported and passed over.
+fn parse_attributes(input: ParseStream<'_>, errors: &mut Errors) -> Vec<Attribute> {
+    let mut attributes = Vec::new();
+    while input.peek(Token![#]) {
+        let span = input.span();
+        if input.peek2(Token![!]) {
+            errors.push(span, Mistake::InnerAttribute);
+            for _ in 0..3 {
+                let _ = input.parse::<TokenTree>();
+            }
+            continue;
+        }
+        match input.call(Attribute::parse_outer) {
+            Ok(list) if !list.is_empty() => attributes.extend(list),
+            Ok(_) => break,
+            Err(error) => {
+                errors.push_syntax(error);
+                // The parser may have stopped anywhere in it; the next token makes an end.
+                let _ = input.parse::<TokenTree>();
+            }
+        }
+    }
+    attributes
+}
+
+/// Goes on after the next comma.
 fn skip_past_comma(content: ParseStream<'_>) {
     while let Ok(token) = content.parse::<TokenTree>() {
         if is_mark(&token, ',') {
             return;
         }
     }
+}
+
+/// Goes on after a mark, if it stands anywhere before the next braces, and says whether it did.
+fn skip_past_mark(input: ParseStream<'_>, mark: char) -> bool {
+    let ahead = input.fork();
+    let found = |input: ParseStream<'_>| {
+        while !input.peek(token::Brace) {
+            match input.parse::<TokenTree>() {
+                Ok(token) if is_mark(&token, mark) => return true,
+                Ok(_) => {}
+                Err(_) => return false,
+            }
+        }
+        false
+    };
+    found(&ahead) && found(input)
 }
 
 fn skip_all(content: ParseStream<'_>) {

@@ -34,7 +34,8 @@ pub fn basis_names(
         }
     }
     // Of a name that could not be read nobody knows whether it would have been one.
-    let unread = errors.any(|mistake| *mistake == Mistake::NotAName);
+    let unread =
+        errors.any(|mistake| matches!(mistake, Mistake::NotAName | Mistake::Unexpected(_)));
     let declared = counts.map(signature::total);
     if let Some(expected) = declared.filter(|count| *count != names.len() && !unread) {
         // The first name too many, else the section's last, else the signature.
@@ -96,7 +97,7 @@ pub fn metric(
                 row[i] = Rational::from_integer(if i < p { 1 } else { -1 });
             }
         }
-        Some(entries) => fill(entries, names, &mut gram, errors),
+        Some(entries) => fill(algebra, entries, names, &mut gram, errors),
     }
     let metric = Metric::new(names.to_vec(), gram);
     if metric.is_err() {
@@ -107,30 +108,40 @@ pub fn metric(
 }
 
 fn fill(
+    algebra: &Algebra,
     entries: &[MetricEntry],
     names: &[String],
     gram: &mut [Vec<Rational>],
     errors: &mut Errors,
 ) {
-    let mut given: HashMap<(usize, usize), Rational> = HashMap::new();
+    let mut given: HashMap<(usize, usize), (Rational, usize)> = HashMap::new();
     for entry in entries {
-        let i = index(&entry.left, names, errors);
+        let mut index = |token: &Ident| index(token, names, algebra.basis.is_some(), errors);
+        let i = index(&entry.left);
         let right = entry.right.as_ref();
-        let j = right.map_or(i, |token| index(token, names, errors));
+        let j = right.map_or(i, index);
         let (Some(i), Some(j)) = (i, j) else {
             continue;
         };
         let (numerator, denominator) = entry.value.value;
         let value = Rational::new(numerator, denominator);
         let second = right.unwrap_or(&entry.left);
-        let (left, right) = (entry.left.to_string(), second.to_string());
-        match given.insert((i.min(j), i.max(j)), value) {
-            Some(before) if before != value => {
-                errors.push_range(entry.value.spans, Mistake::NotSymmetric { left, right });
+        let text = match right {
+            Some(right) => format!("{}.{right}", entry.left),
+            None => format!("{}^2", entry.left),
+        };
+        match given.insert((i.min(j), i.max(j)), (value, i)) {
+            Some((before, first)) if before != value => {
+                let mistake = if first == i {
+                    Mistake::ContradictoryMetricEntry(text)
+                } else {
+                    Mistake::NotSymmetric(text)
+                };
+                errors.push_range(entry.value.spans, mistake);
             }
             Some(_) => {
-                let mistake = Mistake::DuplicateMetricEntry { left, right };
-                errors.push_range((entry.left.span(), second.span()), mistake);
+                let spans = (entry.left.span(), second.span());
+                errors.push_range(spans, Mistake::DuplicateMetricEntry(text));
             }
             None => {}
         }
@@ -140,12 +151,13 @@ fn fill(
 }
 
 /// The position of a basis vector.
-fn index(token: &Ident, names: &[String], errors: &mut Errors) -> Option<usize> {
+fn index(token: &Ident, names: &[String], named: bool, errors: &mut Errors) -> Option<usize> {
     let name = token.to_string();
     let index = names.iter().position(|n| *n == name);
     if index.is_none() {
         let mistake = Mistake::UnknownBasisVector {
             basis: blades::listed(names),
+            named,
             suggestion: closest(&name, names.iter().map(String::as_str)),
             name,
         };
@@ -172,6 +184,7 @@ pub fn has_signature(
         let mistake = Mistake::SignatureMismatch {
             declared: algebra.signature.text.clone(),
             actual: signature::text(actual.0, actual.1, actual.2),
+            degenerate: algebra.metric.is_some() && actual.2 > declared.2,
         };
         errors.push_range(algebra.signature.spans, mistake);
     }

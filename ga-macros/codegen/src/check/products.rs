@@ -23,7 +23,7 @@ const SYNONYMS: [(&str, &str); 12] = [
 ];
 
 /// Operations that take one operand, and are no products.
-const OF_ONE_OPERAND: [&str; 14] = [
+const OF_ONE_OPERAND: [&str; 15] = [
     "reverse",
     "involute",
     "conjugate",
@@ -34,6 +34,7 @@ const OF_ONE_OPERAND: [&str; 14] = [
     "grade",
     "norm",
     "norm_squared",
+    "normalized",
     "inverse",
     "exp",
     "log",

@@ -28,9 +28,13 @@ pub fn counts(signature: &Signature, errors: &mut Errors) -> Option<Counts> {
     }
     let counts = read(&signature.text);
     if counts.is_none() {
-        let mistake = Mistake::UnknownSignature {
-            text: signature.text.clone(),
-            suggestion: suggestion(&signature.text),
+        let mistake = if is_several(&signature.text) {
+            Mistake::SeveralSignatures
+        } else {
+            Mistake::UnknownSignature {
+                text: signature.text.clone(),
+                suggestion: suggestion(&signature.text),
+            }
         };
         errors.push_range(signature.spans, mistake);
     }
@@ -48,6 +52,12 @@ fn read(text: &str) -> Option<Counts> {
     }
     let [p, q, r] = counts;
     parts.next().is_none().then_some((p, q, r))
+}
+
+/// Whether these are signatures side by side, `R3, R4` or `R3 R4`.
+fn is_several(text: &str) -> bool {
+    let mut words = text.split([',', ' ']).filter(|word| !word.is_empty());
+    words.clone().count() > 1 && words.all(|word| read(word).is_some())
 }
 
 /// A count; one beyond all limits is as good as any other beyond them.
@@ -112,8 +122,11 @@ pub fn dimension(algebra: &Algebra, counts: Option<Counts>, errors: &mut Errors)
     match named.filter(within).or(declared.filter(within)) {
         Some(vectors) => Dimension {
             vectors,
-            known: named.is_none_or(|count| within(&count))
-                && (named.is_some() || declared.is_some()),
+            known: match (named, declared) {
+                (Some(named), Some(declared)) => named == declared,
+                (Some(one), None) | (None, Some(one)) => within(&one),
+                (None, None) => false,
+            },
         },
         None => Dimension {
             vectors: COMPLETE_LIMIT,

@@ -19,13 +19,14 @@ pub fn declared(algebra: &Algebra, names: &[String], errors: &mut Errors) -> Vec
             attributes: declaration.attributes.clone(),
             name: declaration.name.clone(),
             unit: declaration.unit,
-            slots: slots(declaration, names, errors),
+            slots: slots(algebra, declaration, names, errors),
         };
         if kind.unit && kind.parity().is_none() {
             errors.push(kind.name.span(), Mistake::UnitMixedParity(kind.text()));
         }
         standard::keeps_meaning(&kind, names.len(), errors);
-        if !types.iter().any(|t| t.name == kind.name) {
+        // Beside the type parameter of the same name, a struct `T` would be further errors.
+        if kind.name != "T" && !types.iter().any(|t| t.name == kind.name) {
             types.push(kind);
         }
     }
@@ -57,10 +58,15 @@ fn camel_case(name: &str) -> String {
 }
 
 /// The coefficients of a type; none where they cannot be made out.
-fn slots(declaration: &TypeDeclaration, names: &[String], errors: &mut Errors) -> Vec<Slot> {
+fn slots(
+    algebra: &Algebra,
+    declaration: &TypeDeclaration,
+    names: &[String],
+    errors: &mut Errors,
+) -> Vec<Slot> {
     let dimension = names.len();
     let masks: Vec<u32> = match &declaration.content {
-        Content::Blades(list) => return listed(declaration, list, names, errors),
+        Content::Blades(list) => return listed(algebra, declaration, list, names, errors),
         Content::Grade(number) => match number.base10_parse::<u32>() {
             Ok(grade) if grade as usize <= dimension => masks_where(dimension, |g| g == grade),
             _ => {
@@ -98,6 +104,7 @@ fn too_large(declaration: &TypeDeclaration, fields: usize, errors: &mut Errors) 
 }
 
 fn listed(
+    algebra: &Algebra,
     declaration: &TypeDeclaration,
     list: &[Coefficient],
     names: &[String],
@@ -107,7 +114,7 @@ fn listed(
     let mut slots: Vec<(Slot, String)> = Vec::new();
     let before = errors.count();
     for coefficient in list {
-        let Some(indices) = blade_indices(coefficient, names, errors) else {
+        let Some(indices) = blade_indices(algebra, coefficient, names, errors) else {
             continue;
         };
         let text = blade_text(coefficient);
@@ -154,6 +161,7 @@ fn blade_text(coefficient: &Coefficient) -> String {
 
 /// The basis vectors of a blade in the order written, each once.
 fn blade_indices(
+    algebra: &Algebra,
     coefficient: &Coefficient,
     names: &[String],
     errors: &mut Errors,
@@ -167,6 +175,7 @@ fn blade_indices(
             Reading::Unknown => {
                 let mistake = Mistake::UnknownBlade {
                     basis: blades::listed(names),
+                    named: algebra.basis.is_some(),
                     suggestion: closest(&name, blade_names(names).iter().map(String::as_str)),
                     name,
                 };

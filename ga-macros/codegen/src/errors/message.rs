@@ -3,23 +3,7 @@
 use std::fmt;
 
 use super::Mistake;
-
-/// The remedy: a name that was probably meant, else what holds in general.
-fn hint(suggestion: &Option<String>, otherwise: &str) -> String {
-    match suggestion {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => otherwise.to_owned(),
-    }
-}
-
-/// What was written, cut where it is too long to be shown.
-fn shown(text: &str) -> String {
-    const LONGEST: usize = 60;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
-}
+use super::wording::{basis_hint, counted, hint, shown};
 
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -28,21 +12,46 @@ impl fmt::Display for Mistake {
             Syntax(what) => write!(f, "{what}"),
             TooDeep { limit } => write!(
                 f,
-                "brackets are nested more than {limit} deep; a declaration needs three levels"
+                "brackets are nested more than {limit} deep; a declaration needs only three levels"
             ),
-            NotAPath => write!(
-                f,
-                "the path of the core crate belongs here; write it as in `crate = ::ga_core;`"
+            NotAPath => f.write_str(
+                "the path of the core crate belongs here; write it as in `crate = ::ga_core;`",
             ),
-            MissingSignature => write!(
-                f,
-                "a signature is missing; write one such as `R3` or `R4_1`, or \
-                 `mod name: R4_1 {{ … }}`"
+            PathWithoutSemicolon => f.write_str(
+                "the path of the core crate ends with `;`; write one before this, as in \
+                 `crate = ::ga_core;`",
+            ),
+            MissingSignature => f.write_str(
+                "a signature is missing; write one such as `R3` or `R4_1`, or `mod name: R4_1 { \
+                 … }`",
             ),
             ModuleWithoutSignature(name) => write!(
                 f,
-                "the algebra `{name}` has no signature; write it behind the name, as in \
+                "the algebra `{name}` has no signature; write it after the name, as in \
                  `mod {name}: R3 {{ … }}`"
+            ),
+            ModuleWithoutColon(name) => write!(
+                f,
+                "a colon stands between name and signature; write `mod {name}: R3 {{ … }}`"
+            ),
+            BodyWithoutBraces(name) => write!(
+                f,
+                "the sections of an algebra stand in braces; write `mod {name}: R3 {{ … }}`"
+            ),
+            NotAModule => {
+                f.write_str("an algebra with sections is a module; write `mod name: R4_1 { … }`")
+            }
+            InnerAttribute => {
+                f.write_str("an attribute stands before what it is about; write `#[…]` without `!`")
+            }
+            MarkBetweenSections(mark) => {
+                write!(f, "nothing stands between two sections; remove `{mark}`")
+            }
+            SemicolonForComma => f.write_str("entries are separated by commas; write `,` for `;`"),
+            Unexpected(text) => write!(
+                f,
+                "`{}` does not belong here; remove it, or write `,` before the next entry",
+                shown(text)
             ),
             ModuleWithoutBody(name) => write!(
                 f,
@@ -51,28 +60,24 @@ impl fmt::Display for Mistake {
             ),
             SectionsOfPreset(signature) => write!(
                 f,
-                "sections belong to an algebra with a name; write `mod name: {} {{ … }}`",
+                "only an algebra with a name has sections; write `mod name: {} {{ … }}`",
                 shown(signature)
             ),
-            Trailing => write!(
-                f,
-                "nothing can stand behind the algebra; remove this, or put it into a call of its \
-                 own"
+            Trailing => f.write_str(
+                "nothing can follow the algebra; remove this, or put it into a call of its own",
             ),
             SectionWithoutBraces(name) => write!(
                 f,
                 "the section `{name}` is a list in braces; write `{name} {{ … }}`"
             ),
-            NotASection => write!(
-                f,
-                "a section belongs here; write `basis {{ … }}`, `metric {{ … }}`, `types {{ … }}` \
-                 or `products {{ … }}`"
+            NotASection => f.write_str(
+                "a section belongs here; write `basis { … }`, `metric { … }`, `types { … }` or \
+                 `products { … }`",
             ),
-            MissingComma => write!(f, "entries are separated by commas; write `,` before this"),
-            NotAName => write!(
-                f,
-                "a name belongs here; write an identifier that is no keyword"
-            ),
+            MissingComma => f.write_str("entries are separated by commas; write `,` before this"),
+            NotAName => {
+                f.write_str("a name belongs here; write an identifier that is not a keyword")
+            }
             UnknownSignature { text, suggestion } => write!(
                 f,
                 "`{}` is not a signature; {}",
@@ -83,6 +88,9 @@ impl fmt::Display for Mistake {
                      `R3`, `R4_1` or `R3_0_1`"
                 )
             ),
+            SeveralSignatures => {
+                f.write_str("one call declares one algebra; write a call for each signature")
+            }
             NoDimension(text) => write!(
                 f,
                 "`{text}` has no dimension; an algebra needs at least one basis vector, as in `R1`"
@@ -93,8 +101,8 @@ impl fmt::Display for Mistake {
                 preset: true,
             } => write!(
                 f,
-                "`{}` has too many dimensions for every grade to be generated; that goes to \
-                 {limit}, beyond it declare sparse types in `types {{ … }}`",
+                "`{}` has too many dimensions to generate every grade; presets go to {limit}, \
+                 beyond that declare sparse types in `types {{ … }}`",
                 shown(signature)
             ),
             TooManyDimensions {
@@ -103,13 +111,23 @@ impl fmt::Display for Mistake {
                 preset: false,
             } => write!(
                 f,
-                "`{}` has too many dimensions; declared types go to {limit}",
+                "`{}` has too many dimensions; declared types go to {limit}, so write a smaller \
+                 signature",
                 shown(signature)
             ),
-            SignatureMismatch { declared, actual } => write!(
+            SignatureMismatch {
+                declared,
+                actual,
+                degenerate,
+            } => write!(
                 f,
                 "the metric has signature `{actual}`, not `{declared}`; write `{actual}` or change \
-                 the metric"
+                 the metric{}",
+                if *degenerate {
+                    ", in which entries not written are 0"
+                } else {
+                    ""
+                }
             ),
             BasisCount {
                 signature,
@@ -117,8 +135,9 @@ impl fmt::Display for Mistake {
                 found,
             } => write!(
                 f,
-                "`{signature}` needs {expected} basis vectors, but {found} are named; name exactly \
-                 {expected}"
+                "`{signature}` needs {}, but {found} {} named; name exactly {expected}",
+                counted(*expected, "basis vector"),
+                if *found == 1 { "is" } else { "are" }
             ),
             DuplicateBasisName(name) => write!(
                 f,
@@ -130,39 +149,49 @@ impl fmt::Display for Mistake {
             ),
             ReservedBasisName(name) => write!(
                 f,
-                "`{name}` cannot name a basis vector, because fields are named after it and \
-                 keywords, `s` and `T` are taken; choose another name, as in `e1`"
+                "`{name}` cannot name a basis vector, because it cannot name a field: keywords, \
+                 `s` and `T` are taken; choose another name, such as `e1`"
             ),
-            NotAMetricEntry => write!(
-                f,
-                "a metric entry is a square such as `e1^2 = 1` or a product such as `e1.e2 = 0`"
+            NotAMetricEntry => f.write_str(
+                "this is not a metric entry; write a square such as `e1^2 = 1` or a product such \
+                 as `e1.e2 = 0`",
             ),
             UnknownBasisVector {
                 name,
                 basis,
+                named,
                 suggestion,
             } => write!(
                 f,
-                "`{name}` is not a vector of the basis {basis}; {}",
-                hint(suggestion, "name one of these")
+                "`{name}` is not a vector of the basis {basis}; {}{}",
+                hint(suggestion, "write one of these"),
+                basis_hint(*named)
+            ),
+            MiddleDot(name) => write!(
+                f,
+                "Rust reads `{name}` as one name, because `·` counts as a letter; write `{}`",
+                name.replace('·', ".")
             ),
             NotASquare(name) => write!(
                 f,
-                "a metric entry is a square; write `{name}^2 = value`, or `{name}.other = value` \
-                 for a product"
+                "a metric has no power but the square; write `{name}^2 = value`, or \
+                 `{name}.other = value` for a product"
             ),
-            NotSymmetric { left, right } => write!(
+            NotSymmetric(entry) => write!(
                 f,
-                "`{left}.{right}` has another value above; a metric is symmetric, give one value"
+                "`{entry}` contradicts the value given the other way round; a metric is \
+                 symmetric, so give one value"
             ),
-            DuplicateMetricEntry { left, right } => write!(
+            ContradictoryMetricEntry(entry) => write!(
                 f,
-                "`{left}.{right}` is given twice; remove one of the entries"
+                "`{entry}` was given another value before; remove one of the entries"
             ),
-            NotRational(text) if text.is_empty() => write!(
-                f,
-                "a number is missing; write an integer, a fraction such as `1/2` or a decimal such \
-                 as `0.5`"
+            DuplicateMetricEntry(entry) => {
+                write!(f, "`{entry}` is given twice; remove one of the entries")
+            }
+            NotRational(text) if text.is_empty() => f.write_str(
+                "a number is missing; write an integer, a fraction such as `1/2` or a decimal \
+                 such as `0.5`",
             ),
             NotRational(text) => write!(
                 f,
@@ -175,26 +204,34 @@ impl fmt::Display for Mistake {
                 "this number is too large for exact arithmetic; numerators and denominators go to \
                  {limit}"
             ),
-            ZeroDenominator => write!(
-                f,
-                "nothing can be divided by 0; write another denominator, as in `1/2`"
-            ),
+            ZeroDenominator => {
+                f.write_str("nothing can be divided by 0; write another denominator, as in `1/2`")
+            }
             UnknownBlade {
                 name,
                 basis,
+                named,
                 suggestion,
             } => write!(
                 f,
-                "`{}` is not a blade over {basis}; {}",
+                "`{}` is not a blade over {basis}; {}{}",
                 shown(name),
                 hint(
                     suggestion,
                     "join basis vectors with `^`, or write `1` for the scalar"
-                )
+                ),
+                basis_hint(*named)
             ),
-            SignedBlade => write!(
+            BladeJoinedBy(mark) => write!(
                 f,
-                "a blade carries no sign; write its vectors in another order, as in `e31` for −e13"
+                "the vectors of a blade are joined with `^`; write `^` for `{mark}`"
+            ),
+            AttributeOnBlade => f.write_str(
+                "a coefficient takes no attributes and no doc comments; move this to the type",
+            ),
+            SignedBlade => f.write_str(
+                "a blade carries no sign; write its vectors in another order, as in `e31` for \
+                 −e13",
             ),
             NumberAsBlade(text) => write!(
                 f,
@@ -216,7 +253,7 @@ impl fmt::Display for Mistake {
             ),
             DuplicateBlade { blade, first } if blade == first => write!(
                 f,
-                "the blade `{blade}` stands twice in this type; remove one"
+                "the blade `{blade}` is listed twice in this type; remove one"
             ),
             DuplicateBlade { blade, first } => write!(
                 f,
@@ -231,6 +268,29 @@ impl fmt::Display for Mistake {
                 f,
                 "the type `{name}` does not say which blades it holds; write \
                  `{name} {{ e1, e2 }}` or `{name} = grade 1;`"
+            ),
+            BladesWithoutBraces(name) => write!(
+                f,
+                "the blades of a type stand in braces; write `{name} {{ e1, e2 }}`"
+            ),
+            EqualsBeforeBraces(name) => write!(
+                f,
+                "a list of blades follows the name at once; write `{name} {{ … }}` without `=`"
+            ),
+            SemicolonAfterBraces => {
+                f.write_str("a type that lists its blades ends with the brace; remove `;`")
+            }
+            SectionAmongTypes(name) => write!(
+                f,
+                "`{name}` is a section of its own; close `types {{ … }}` before it"
+            ),
+            WordBeforeType(word) => write!(
+                f,
+                "a type is declared by its name alone and is always public; remove `{word}`"
+            ),
+            TypeParameters => f.write_str(
+                "a type takes no parameters, because each is generic over its numbers; remove \
+                 `<…>`",
             ),
             EmptyType(name) => write!(
                 f,
@@ -252,7 +312,7 @@ impl fmt::Display for Mistake {
             ReservedType(name) => write!(
                 f,
                 "`{name}` cannot name a type, because the generated code uses it; choose another \
-                 name, as in `My{name}`"
+                 name, such as `My{name}`"
             ),
             MisusedName { name, meaning } => write!(
                 f,
@@ -272,10 +332,14 @@ impl fmt::Display for Mistake {
                      braces"
                 )
             ),
-            GradeWithoutNumber => write!(f, "a grade is a number; write one, as in `= grade 2;`"),
-            MissingSemicolon(name) => write!(
+            GradeWithoutNumber => f.write_str("a grade is a number; write one, as in `= grade 2;`"),
+            MissingSemicolon => {
+                f.write_str("a type declared with `=` ends with `;`; write one after this")
+            }
+            SetGoesOn(name) => write!(
                 f,
-                "a type declared with `=` ends with `;`; write one behind `{name} = …`"
+                "a set of blades ends here; write `;`, or list the blades, as in \
+                 `{name} {{ 1, e12 }}`"
             ),
             GradeTooLarge { grade, dimension } => write!(
                 f,
@@ -297,7 +361,7 @@ impl fmt::Display for Mistake {
             ),
             DuplicateSection(name) => write!(
                 f,
-                "the section `{name}` stands twice; write one `{name} {{ … }}`"
+                "the section `{name}` is written twice; put all into one `{name} {{ … }}`"
             ),
             UnknownSection { name, suggestion } => write!(
                 f,
@@ -322,14 +386,13 @@ impl fmt::Display for Mistake {
                 "sums of `{name}` lose its fixed coefficient and no declared type holds \
                  {{{blades}}}; declare one, as in `General{name} {{ {blades} }}`"
             ),
-            Overflow => write!(
-                f,
-                "the products of this metric have coefficients beyond exact arithmetic; scale the \
-                 basis vectors so that the entries become small"
+            Overflow => f.write_str(
+                "the products of this metric have coefficients beyond exact arithmetic; scale \
+                 the basis vectors so that the entries become small",
             ),
             UnsupportedAttribute(name) => write!(
                 f,
-                "`#[{name}]` cannot stand here; a type takes doc comments, `#[unit]`, \
+                "`#[{name}]` is not allowed here; a type takes doc comments, `#[unit]`, \
                  `#[deprecated]`, `#[must_use]`, `#[allow]` and `#[expect]`"
             ),
         }

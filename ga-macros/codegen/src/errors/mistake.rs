@@ -9,22 +9,38 @@ pub enum Mistake {
     TooDeep { limit: usize },
     /// `crate = …` without a path.
     NotAPath,
+    /// `crate = path` without a semicolon.
+    PathWithoutSemicolon,
     /// Nothing where a signature belongs.
     MissingSignature,
     /// `mod name { … }`.
     ModuleWithoutSignature(String),
+    /// `mod name R3 { … }`.
+    ModuleWithoutColon(String),
     /// `mod name: R3` and no braces.
     ModuleWithoutBody(String),
+    /// `mod name: R3 ( … )`.
+    BodyWithoutBraces(String),
+    /// `struct name: R3 { … }`.
+    NotAModule,
     /// `R3 { … }`.
     SectionsOfPreset(String),
     /// Tokens behind the whole algebra.
     Trailing,
+    /// An attribute of the form `#![…]`.
+    InnerAttribute,
     /// A section without its braces.
     SectionWithoutBraces(String),
     /// Something other than a section.
     NotASection,
+    /// A mark between two sections.
+    MarkBetweenSections(char),
     /// Two entries without a comma between.
     MissingComma,
+    /// Two entries with a semicolon between.
+    SemicolonForComma,
+    /// A token that continues no entry.
+    Unexpected(String),
     /// Something other than a name in a list of names.
     NotAName,
     /// A signature that is not of the form `Rp_q_r`.
@@ -32,6 +48,8 @@ pub enum Mistake {
         text: String,
         suggestion: Option<String>,
     },
+    /// Several signatures in one call.
+    SeveralSignatures,
     /// A signature of no dimension.
     NoDimension(String),
     /// More dimensions than the macro supports.
@@ -41,7 +59,12 @@ pub enum Mistake {
         preset: bool,
     },
     /// The metric has another signature than the one declared.
-    SignatureMismatch { declared: String, actual: String },
+    SignatureMismatch {
+        declared: String,
+        actual: String,
+        /// Whether more vectors square to zero than are declared to.
+        degenerate: bool,
+    },
     /// The basis has another number of vectors than the signature.
     BasisCount {
         signature: String,
@@ -60,14 +83,20 @@ pub enum Mistake {
     UnknownBasisVector {
         name: String,
         basis: String,
+        /// Whether the call names its basis.
+        named: bool,
         suggestion: Option<String>,
     },
+    /// `no·ni = -1`, which Rust reads as one name.
+    MiddleDot(String),
     /// `e1^3 = 1`.
     NotASquare(String),
-    /// A metric entry given twice with different values, `e1.e2 = 1` and `e2.e1 = 2`.
-    NotSymmetric { left: String, right: String },
+    /// A metric entry given both ways with different values, `e1.e2 = 1` and `e2.e1 = 2`.
+    NotSymmetric(String),
+    /// A metric entry given twice with different values.
+    ContradictoryMetricEntry(String),
     /// A metric entry given twice with the same value.
-    DuplicateMetricEntry { left: String, right: String },
+    DuplicateMetricEntry(String),
     /// A number that is no exact rational.
     NotRational(String),
     /// A number too large to compute with exactly.
@@ -78,8 +107,14 @@ pub enum Mistake {
     UnknownBlade {
         name: String,
         basis: String,
+        /// Whether the call names its basis.
+        named: bool,
         suggestion: Option<String>,
     },
+    /// `e1*e2`.
+    BladeJoinedBy(char),
+    /// An attribute or a doc comment on one coefficient.
+    AttributeOnBlade,
     /// `-e13`.
     SignedBlade,
     /// A number other than 1 where a blade belongs.
@@ -98,6 +133,18 @@ pub enum Mistake {
     FieldClash { name: String, field: String },
     /// A type without `{ … }` and without `= …;`.
     TypeWithoutBlades(String),
+    /// A type whose blades stand in other brackets than braces.
+    BladesWithoutBraces(String),
+    /// `Name = { … }`.
+    EqualsBeforeBraces(String),
+    /// `Name { … };`.
+    SemicolonAfterBraces,
+    /// A section among the types.
+    SectionAmongTypes(String),
+    /// `pub` or `struct` in front of a type.
+    WordBeforeType(String),
+    /// `Name<T> { … }`.
+    TypeParameters,
     /// A type without blades.
     EmptyType(String),
     /// A type all of whose coefficients are fixed.
@@ -120,7 +167,9 @@ pub enum Mistake {
     /// `= grade` without a number.
     GradeWithoutNumber,
     /// `= grade 2` without a semicolon.
-    MissingSemicolon(String),
+    MissingSemicolon,
+    /// `= grade 1 + grade 2`.
+    SetGoesOn(String),
     /// A grade above the dimension.
     GradeTooLarge { grade: String, dimension: usize },
     /// `#[unit]` on a type that mixes even and odd blades.
@@ -165,7 +214,11 @@ impl Mistake {
                 | NotAName
                 | NotASquare(_)
                 | UnknownBasisVector { .. }
-                | NotSymmetric { .. }
+                | MiddleDot(_)
+                | NotSymmetric(_)
+                | ContradictoryMetricEntry(_)
+                | SemicolonForComma
+                | Unexpected(_)
                 | DuplicateBasisName(_)
                 | NotRational(_)
                 | NumberTooLarge { .. }

@@ -1,6 +1,7 @@
 //! Numbers are exact: integers, fractions and decimals, never rounded.
 
-use proc_macro2::{Span, TokenTree};
+use proc_macro2::{Ident, Span, TokenTree};
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Lit, Token};
 
@@ -10,7 +11,8 @@ use crate::errors::{Errors, Mistake};
 /// The largest numerator or denominator: products of many such numbers stay exact.
 const LIMIT: i128 = 1_000_000;
 
-/// Reads up to the next comma; what is no number is reported once, as a whole.
+/// Reads up to the next comma, or up to a name after a number, before which a comma is missing;
+/// what is no number is reported once, as a whole.
 pub fn parse(entry: ParseStream<'_>, errors: &mut Errors) -> Number {
     let first = entry.span();
     let mut words: Vec<(String, Span)> = Vec::new();
@@ -19,7 +21,12 @@ pub fn parse(entry: ParseStream<'_>, errors: &mut Errors) -> Number {
     if negative {
         words.push(("-".to_owned(), first));
     }
-    while !entry.is_empty() && !entry.peek(Token![,]) {
+    let mut after_literal = false;
+    while !entry.is_empty() && !entry.peek(Token![,]) && !entry.peek(Token![;]) {
+        if after_literal && entry.peek(Ident::peek_any) {
+            break;
+        }
+        after_literal = entry.peek(Lit);
         let word = match entry.peek(Lit).then(|| entry.parse::<Lit>()) {
             Some(Ok(literal)) => (quote::quote!(#literal).to_string(), literal.span()),
             _ => match entry.parse::<TokenTree>() {

@@ -11,6 +11,10 @@ use crate::errors::{Errors, Mistake, closest};
 
 /// Reads one section; what is no section is reported and skipped.
 pub fn parse(body: ParseStream<'_>, algebra: &mut Algebra, errors: &mut Errors) {
+    if body.peek(Token![,]) && body.peek2(Ident::peek_any) {
+        errors.push(body.span(), Mistake::MarkBetweenSections(','));
+        let _ = body.parse::<Token![,]>();
+    }
     let Ok(name) = body.call(Ident::parse_any) else {
         errors.push(body.span(), Mistake::NotASection);
         skip_to_section(body);
@@ -18,7 +22,12 @@ pub fn parse(body: ParseStream<'_>, algebra: &mut Algebra, errors: &mut Errors) 
     };
     let Some(content) = parse_braces(body) else {
         let mistake = Mistake::SectionWithoutBraces(name.to_string());
-        errors.push(name.span(), mistake);
+        let wrong = if body.is_empty() {
+            name.span()
+        } else {
+            body.span()
+        };
+        errors.push(wrong, mistake);
         skip_to_section(body);
         return;
     };
@@ -86,11 +95,7 @@ pub fn separated<T>(
             Some(value) => {
                 list.push(value);
                 if !content.is_empty() && content.parse::<Token![,]>().is_err() {
-                    errors.push(content.span(), Mistake::MissingComma);
-                    // `e1 e2`: the comma alone is missing. Else there is no telling what is meant.
-                    if !content.peek(Ident::peek_any) {
-                        skip_past_comma(content);
-                    }
+                    mend_separator(content, errors);
                 }
             }
             None => skip_past_comma(content),
@@ -99,8 +104,32 @@ pub fn separated<T>(
     list
 }
 
+/// Goes on after an entry that no comma follows.
+fn mend_separator(content: ParseStream<'_>, errors: &mut Errors) {
+    let span = content.span();
+    if content.parse::<Token![;]>().is_ok() {
+        errors.push(span, Mistake::SemicolonForComma);
+    } else if content.peek(Ident::peek_any) || content.peek(Lit) {
+        // `e1 e2`: the comma alone is missing.
+        errors.push(span, Mistake::MissingComma);
+    } else {
+        // There is no telling what is meant.
+        let token = content.parse::<TokenTree>();
+        let text = token.map_or_else(|_| String::new(), |token| token.to_string());
+        errors.push(span, Mistake::Unexpected(text));
+        skip_past_comma(content);
+    }
+}
+
 fn parse_metric_entry(entry: ParseStream<'_>, errors: &mut Errors) -> Option<MetricEntry> {
-    let left = parse_name(entry, errors)?;
+    let Ok(left) = entry.call(Ident::parse_any) else {
+        errors.push(entry.span(), Mistake::NotAMetricEntry);
+        return None;
+    };
+    if left.to_string().contains('·') {
+        errors.push(left.span(), Mistake::MiddleDot(left.to_string()));
+        return None;
+    }
     let malformed = |errors: &mut Errors| {
         errors.push(entry.span(), Mistake::NotAMetricEntry);
         None
