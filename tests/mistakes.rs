@@ -1,6 +1,8 @@
 //! Every mistake in a call is named on the tokens that are wrong, all of one call together.
 //!
 //! One case per mistake, in the folder of its kind; the file beside it is what the compiler says.
+//! The folder `use` shows what stands around a call with mistakes: its types in use, and the macro
+//! without the facade (that a right call compiles so is shown by the crate `tests/hygiene/bare`).
 
 /// Every case fails to compile with exactly the messages stored.
 #[test]
@@ -13,6 +15,7 @@ fn every_mistake_is_named_where_it_is() {
         "types",
         "products",
         "syntax",
+        "use",
     ] {
         cases.compile_fail(format!("tests/mistakes/{kind}/*.rs"));
     }

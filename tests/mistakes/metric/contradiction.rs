@@ -1,0 +1,9 @@
+//! One entry with two values.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        metric { e1^2 = 1, e2^2 = 1, e3^2 = 1, e2^2 = 2 }
+    }
+}
+
+fn main() {}

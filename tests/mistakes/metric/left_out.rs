@@ -1,0 +1,9 @@
+//! A square left out.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        metric { e1^2 = 1, e2^2 = 1 }
+    }
+}
+
+fn main() {}

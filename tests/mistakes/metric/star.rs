@@ -1,0 +1,10 @@
+//! A product written as in programs.
+
+ga::define_algebra! {
+    mod wrong: R1_1 {
+        basis { no, ni }
+        metric { no*ni = -1 }
+    }
+}
+
+fn main() {}

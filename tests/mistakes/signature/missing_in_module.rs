@@ -1,0 +1,9 @@
+//! A colon without a signature.
+
+ga::define_algebra! {
+    mod wrong: {
+        types { Vector { e1, e2, e3 } }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+//! A name and a signature without a colon.
+
+ga::define_algebra! {
+    mod wrong R3 {
+        types { Vector { e1, e2, e3 } }
+    }
+}
+
+fn main() {}

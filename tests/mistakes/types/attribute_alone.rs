@@ -1,0 +1,9 @@
+//! An attribute without a type.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        types { #[unit] }
+    }
+}
+
+fn main() {}

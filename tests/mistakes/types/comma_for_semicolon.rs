@@ -1,0 +1,12 @@
+//! A comma where a set ends.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        types {
+            Vector = grade 1,
+            Plane = grade 2;
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+//! A list of blades assigned to a type.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        types { Vector = { e1, e2, e3 }; Plane { e12 } }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+//! Blades in parentheses.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        types { Vector(e1, e2, e3) Plane { e12 } }
+    }
+}
+
+fn main() {}
