@@ -72,7 +72,7 @@ impl Errors {
 
     /// One line per mistake, `line:column: message`, from top to bottom.
     pub fn report(&self) -> String {
-        self.from_top_to_bottom()
+        self.ordered()
             .iter()
             .map(|found| {
                 let start = found.first.start();
@@ -83,17 +83,17 @@ impl Errors {
     }
 
     /// The mistakes in the order of their tokens.
-    fn from_top_to_bottom(&self) -> Vec<&Found> {
-        let mut ordered: Vec<&Found> = self.found.iter().collect();
-        ordered.sort_by_key(|found| (found.first.start().line, found.first.start().column));
-        ordered
+    fn ordered(&self) -> Vec<&Found> {
+        let mut found: Vec<&Found> = self.found.iter().collect();
+        found.sort_by_key(|found| (found.first.start().line, found.first.start().column));
+        found
     }
 
     /// The `compile_error!` items, each at its own tokens.
     ///
     /// The compiler underlines from the first token of an item to its last one.
     pub fn to_tokens(&self) -> TokenStream {
-        self.from_top_to_bottom()
+        self.ordered()
             .into_iter()
             .map(|found| {
                 let message = found.mistake.to_string();
