@@ -4,7 +4,9 @@ use ga::cga::cga3;
 use ga::core::{Metric, Rational};
 
 use crate::conversions::{check_conversions, check_masks};
-use crate::presets::check_divisions;
+use crate::divisions::check_divisions;
+use crate::operators::check_operators;
+use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
 
@@ -81,14 +83,14 @@ fn single_operands_and_laws() {
     crate::laws::versors::<cga3::DualSphere<Q>, M>(&oracle);
 }
 
-/// Quotients, projections and rejections of the elements that stand for figures.
 #[test]
 fn divisions() {
     with_types!(oracle, kinds, none);
-    each_pair!(
-        oracle,
-        cga3,
-        [Vector3 Point DualSphere DualPlane PointPair FlatPoint DualLine Circle Line Sphere Plane],
-        check_divisions
-    );
+    with_types!(oracle, each_pair, check_divisions);
+}
+
+#[test]
+fn operators() {
+    with_types!(oracle, kinds, none);
+    with_types!(oracle, each_pair, check_operators);
 }

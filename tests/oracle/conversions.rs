@@ -4,7 +4,7 @@ use ga::core::ops::Element;
 use ga::core::{Narrowing, Rational};
 
 use crate::kind::Kind;
-use crate::products::Pair;
+use crate::operation::Pair;
 use crate::reference::Oracle;
 use crate::samples::Samples;
 
@@ -86,11 +86,11 @@ impl<A: Element<Number = f64>, B: Element<Number = f64>> NoNarrowing for Pair<A,
 macro_rules! check_conversions {
     ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
         type Q = ga::core::Rational;
-        #[allow(unused_imports)]
+        #[allow(unused_imports, reason = "used by pairs without a conversion")]
         use crate::conversions::{NoNarrowing, NoWidening};
-        let pair = crate::products::Pair::<$module::$A<Q>, $module::$B<Q>>::new();
+        let pair = crate::operation::Pair::<$module::$A<Q>, $module::$B<Q>>::new();
         pair.widen($oracle);
-        crate::products::Pair::<$module::$A<f64>, $module::$B<f64>>::new().narrow();
+        crate::operation::Pair::<$module::$A<f64>, $module::$B<f64>>::new().narrow();
     }};
 }
 pub(crate) use check_conversions;

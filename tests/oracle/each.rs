@@ -36,22 +36,3 @@ macro_rules! each_pair {
         }
     };
 }
-
-/// All products of a pair.
-macro_rules! check_products {
-    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
-        type Q = ga::core::Rational;
-        #[allow(unused_imports)]
-        use crate::products::*;
-        let pair = Pair::<$module::$A<Q>, $module::$B<Q>>::new();
-        pair.geometric($oracle);
-        pair.wedge($oracle);
-        pair.left_contract($oracle);
-        pair.right_contract($oracle);
-        pair.inner($oracle);
-        pair.regressive($oracle);
-        pair.commutator($oracle);
-        pair.anticommutator($oracle);
-        pair.scalar_product($oracle);
-    }};
-}

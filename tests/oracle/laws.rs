@@ -4,6 +4,8 @@ use ga::core::Rational;
 use ga::core::ops::*;
 use std::ops::{Add, Sub};
 
+use crate::kind::Kind;
+use crate::operation::element;
 use crate::reference::Oracle;
 use crate::samples::Samples;
 
@@ -108,9 +110,10 @@ where
         + ScalarProduct<Output = Rational>,
 {
     let mut samples = Samples::new(53);
-    let list: Vec<V> = crate::samples::versors(oracle);
+    let list = crate::samples::versors(oracle, &Kind::of::<V>());
     assert!(!list.is_empty());
-    for v in list {
+    for v in &list {
+        let v: V = element(v);
         let (a, b): (M, M) = (samples.sparse(5), samples.sparse(5));
         let (c, d) = (v.apply(a), v.apply(b));
         assert_eq!(c.wedge(d), v.apply(a.wedge(b)), "outermorphism");
@@ -123,6 +126,5 @@ where
         }
     }
     let zero = M::from_fn(|_| Rational::ZERO);
-    let first: Vec<V> = crate::samples::versors(oracle);
-    assert_eq!(first[0].apply(zero), zero);
+    assert_eq!(element::<V>(&list[0]).apply(zero), zero);
 }

@@ -3,9 +3,11 @@
 
 use ga::core::{Metric, Rational};
 
-use crate::arithmetic::check_operators;
 use crate::conversions::{check_conversions, check_masks};
-use crate::presets::{check_divisions, check_everything};
+use crate::divisions::check_divisions;
+use crate::operators::check_operators;
+use crate::presets::check_everything;
+use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
 
@@ -40,10 +42,3 @@ fn metric() -> Metric {
 check_everything! { rational_metric, oblique, metric(), ["Spinor"],
 [Vector Flat Weighted Sheared Bivector Plane Upward Narrow Volume Shifted Turn Mixed Spinor
  Scalar Even Odd Multivector], check_duals }
-
-#[test]
-fn operators_and_divisions() {
-    let oracle = oracle!(oblique metric(), units ["Spinor"], [Vector]);
-    each_pair!(oracle, oblique, [Vector Weighted Sheared Mixed Even], check_operators);
-    each_pair!(oracle, oblique, [Vector Flat Weighted Sheared Bivector Upward Mixed Even Multivector], check_divisions);
-}

@@ -2,8 +2,10 @@
 
 use ga::core::Metric;
 
-use crate::arithmetic::check_operators;
 use crate::conversions::{check_conversions, check_masks};
+use crate::divisions::check_divisions;
+use crate::operators::{check_operators, check_references, check_sums};
+use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
 
@@ -14,15 +16,6 @@ ga::define_algebra!(R3_0_1);
 ga::define_algebra!(R1_3);
 ga::define_algebra!(R4_1);
 
-/// Quotient, projection and rejection of a pair.
-macro_rules! check_divisions {
-    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
-        type A = $module::$A<ga::core::Rational>;
-        type B = $module::$B<ga::core::Rational>;
-        crate::products::Pair::<A, B>::new().divisions($oracle);
-    }};
-}
-
 /// All checks of a module that has every type of its list; duals where the metric has them.
 macro_rules! check_everything {
     ($test:ident, $module:ident, $metric:expr, $units:expr, $types:tt, $($dual:ident)?) => {
@@ -32,6 +25,8 @@ macro_rules! check_everything {
             each_pair!(oracle, $module, $types, check_products);
             each_pair!(oracle, $module, $types, check_versors);
             each_pair!(oracle, $module, $types, check_conversions);
+            each_pair!(oracle, $module, $types, check_divisions);
+            each_pair!(oracle, $module, $types, check_operators);
             each_type!(oracle, $module, $types, check_unary);
             check_masks!(oracle, $module);
             type M = $module::Multivector<ga::core::Rational>;
@@ -48,7 +43,19 @@ macro_rules! check_everything {
         }
     };
 }
-pub(crate) use {check_divisions, check_everything};
+
+/// References on the right, and sums of different types: what an algebra of few types has.
+macro_rules! check_conveniences {
+    ($test:ident, $module:ident, $metric:expr, $types:tt) => {
+        #[test]
+        fn $test() {
+            let oracle = oracle!($module $metric, units [], $types);
+            each_pair!(oracle, $module, $types, check_references);
+            each_pair!(oracle, $module, $types, check_sums);
+        }
+    };
+}
+pub(crate) use {check_conveniences, check_everything};
 
 fn signature(positive: usize, negative: usize, null: usize) -> Metric {
     Metric::from_signature(positive, negative, null).expect("few dimensions")
@@ -67,21 +74,15 @@ check_everything! { spacetime, r1_3, signature(1, 3, 0), [],
 check_everything! { conformal_orthonormal, r4_1, signature(4, 1, 0), [],
 [Scalar Vector Bivector Trivector Quadvector Pentavector Even Odd Multivector], check_duals }
 
-#[test]
-fn operators_and_divisions() {
-    let space = oracle!(r3 signature(3, 0, 0), units [], [Scalar Vector Bivector]);
-    each_pair!(space, r3, [Scalar Vector Bivector Trivector Even Odd Multivector], check_operators);
-    each_pair!(space, r3, [Scalar Vector Bivector Trivector Even Odd Multivector], check_divisions);
-    let projective = oracle!(r3_0_1 signature(3, 0, 1), units [], [Scalar Vector Bivector]);
-    each_pair!(projective, r3_0_1, [Scalar Vector Bivector Trivector Quadvector Even Odd Multivector], check_divisions);
-}
-
-#[test]
-fn divisions_in_other_metrics() {
-    let plane = oracle!(r2 signature(2, 0, 0), units [], [Scalar Vector Bivector]);
-    each_pair!(plane, r2, [Scalar Vector Bivector Even Odd Multivector], check_divisions);
-    let negative = oracle!(r0_2 signature(0, 2, 0), units [], [Scalar Vector Bivector]);
-    each_pair!(negative, r0_2, [Scalar Vector Bivector Even Odd Multivector], check_divisions);
-    let spacetime = oracle!(r1_3 signature(1, 3, 0), units [], [Scalar Vector Bivector]);
-    each_pair!(spacetime, r1_3, [Scalar Vector Bivector Trivector Quadvector Even Odd Multivector], check_divisions);
-}
+check_conveniences! { plane_conveniences, r2, signature(2, 0, 0),
+[Scalar Vector Bivector Even Odd Multivector] }
+check_conveniences! { space_conveniences, r3, signature(3, 0, 0),
+[Scalar Vector Bivector Trivector Even Odd Multivector] }
+check_conveniences! { quaternions_conveniences, r0_2, signature(0, 2, 0),
+[Scalar Vector Bivector Even Odd Multivector] }
+check_conveniences! { projective_conveniences, r3_0_1, signature(3, 0, 1),
+[Scalar Vector Bivector Trivector Quadvector Even Odd Multivector] }
+check_conveniences! { spacetime_conveniences, r1_3, signature(1, 3, 0),
+[Scalar Vector Bivector Trivector Quadvector Even Odd Multivector] }
+check_conveniences! { conformal_orthonormal_conveniences, r4_1, signature(4, 1, 0),
+[Scalar Vector Bivector Trivector Quadvector Pentavector Even Odd Multivector] }

@@ -1,25 +1,50 @@
-//! The nine products and the quotient of every ordered pair of types.
-
-use std::marker::PhantomData;
+//! The nine products of every ordered pair of types.
 
 use ga::core::ops::*;
 use ga::core::{Product, Rational};
 
-use crate::kind::{Kind, fewest_fields};
+use crate::kind::Kind;
+use crate::operation::{Binary, Pair, element, numbers};
+use crate::polynomial::product_kind;
 use crate::reference::Oracle;
 use crate::samples::Samples;
 
-/// Stands for a pair of types; what is not generated falls back to the trait of absence.
-pub struct Pair<A, B>(PhantomData<(A, B)>);
+/// Compares a product on samples, and its type with all types.
+fn compare(oracle: &Oracle, product: Product, [left, right, result]: [Kind; 3], compute: Binary) {
+    let what = format!("{}.{}({})", left.name, product.method(), right.name);
+    let expected = product_kind(oracle, product, &left, &right);
+    let fields = expected.map(|kind| kind.stored.len());
+    assert_eq!(Some(result.stored.len()), fields, "fields of {what}");
+    on_samples(oracle, product, [left, right, result], compute);
+}
 
-impl<A, B> Pair<A, B> {
-    pub const fn new() -> Pair<A, B> {
-        Pair(PhantomData)
+/// Compares the values of a product.
+fn on_samples(
+    oracle: &Oracle,
+    product: Product,
+    [left, right, result]: [Kind; 3],
+    compute: Binary,
+) {
+    let what = format!("{}.{}({})", left.name, product.method(), right.name);
+    let mut samples = Samples::of(&left, &right);
+    for form in oracle.forms() {
+        let a = samples.numbers(left.stored.len(), form);
+        let b = samples.numbers(right.stored.len(), form);
+        let (x, y) = (oracle.value_of(&left, &a), oracle.value_of(&right, &b));
+        let expected = oracle.product(product, &x, &y);
+        let generated = oracle.value_of(&result, &compute(&a, &b));
+        oracle.same(&what, &[&x, &y], &generated, &expected);
     }
 }
 
+/// No declared type may hold a product that is not generated.
+pub fn absent(oracle: &Oracle, product: Product, [left, right]: [Kind; 2]) {
+    let what = format!("{}.{}({})", left.name, product.method(), right.name);
+    assert_eq!(product_kind(oracle, product, &left, &right), None, "{what}");
+}
+
 macro_rules! all_products {
-    ($($trait:ident $method:ident $absent:ident)*) => {
+    ($($trait:ident $method:ident)*) => {
         $(
             impl<A, B, R> Pair<A, B>
             where
@@ -27,53 +52,44 @@ macro_rules! all_products {
                 B: Element<Number = Rational>,
                 R: Element<Number = Rational>,
             {
-                /// Compares the product on random values, and its type with all types.
                 pub fn $method(&self, oracle: &Oracle) {
-                    let (left, right, result) = (Kind::of::<A>(), Kind::of::<B>(), Kind::of::<R>());
-                    let product = Product::$trait;
-                    let what = format!("{}.{}({})", left.name, stringify!($method), right.name);
-                    let fields = fewest_fields(oracle, product, &left, &right);
-                    assert_eq!(Some(result.stored.len()), fields, "fields of {what}");
-                    let mut samples = Samples::new(left.stored.len() as u64 * 64 + right.stored.len() as u64);
-                    for _ in 0..oracle.repetitions() {
-                        let (a, b): (A, B) = (samples.full(), samples.full());
-                        let (x, y) = (oracle.value(&a), oracle.value(&b));
-                        let expected = oracle.product(product, &x, &y);
-                        oracle.same(&what, &[&x, &y], &oracle.value(&a.$method(b)), &expected);
-                    }
-                }
-            }
-
-            /// The product is not generated; some products exist for all pairs that are tested.
-            #[allow(dead_code)]
-            pub trait $absent {
-                fn $method(&self, oracle: &Oracle);
-            }
-
-            impl<A, B> $absent for Pair<A, B>
-            where
-                A: Element<Number = Rational>,
-                B: Element<Number = Rational>,
-            {
-                fn $method(&self, oracle: &Oracle) {
-                    let (left, right) = (Kind::of::<A>(), Kind::of::<B>());
-                    let fields = fewest_fields(oracle, Product::$trait, &left, &right);
-                    assert_eq!(fields, None, "{}.{}({})", left.name, stringify!($method), right.name);
+                    let kinds = [Kind::of::<A>(), Kind::of::<B>(), Kind::of::<R>()];
+                    compare(oracle, Product::$trait, kinds, |a, b| {
+                        numbers(&element::<A>(a).$method(element::<B>(b)))
+                    });
                 }
             }
         )*
+
+        /// What is not generated must have no type.
+        #[expect(dead_code, reason = "some products exist for every pair")]
+        pub trait NoProduct {
+            $(fn $method(&self, oracle: &Oracle);)*
+        }
+
+        impl<A, B> NoProduct for Pair<A, B>
+        where
+            A: Element<Number = Rational>,
+            B: Element<Number = Rational>,
+        {
+            $(
+                fn $method(&self, oracle: &Oracle) {
+                    absent(oracle, Product::$trait, [Kind::of::<A>(), Kind::of::<B>()]);
+                }
+            )*
+        }
     };
 }
 
 all_products! {
-    Geometric geometric NoGeometric
-    Wedge wedge NoWedge
-    LeftContract left_contract NoLeftContract
-    RightContract right_contract NoRightContract
-    Inner inner NoInner
-    Regressive regressive NoRegressive
-    Commutator commutator NoCommutator
-    Anticommutator anticommutator NoAnticommutator
+    Geometric geometric
+    Wedge wedge
+    LeftContract left_contract
+    RightContract right_contract
+    Inner inner
+    Regressive regressive
+    Commutator commutator
+    Anticommutator anticommutator
 }
 
 impl<A, B> Pair<A, B>
@@ -81,75 +97,37 @@ where
     A: Element<Number = Rational> + ScalarProduct<B, Output = Rational>,
     B: Element<Number = Rational>,
 {
-    /// Compares the number that is the scalar product.
+    /// Compares the number that is the scalar product; it exists for every pair.
     pub fn scalar_product(&self, oracle: &Oracle) {
-        let mut samples = Samples::new(A::BLADES.len() as u64 + 64 * B::BLADES.len() as u64);
-        let what = format!("{}·{}", Kind::of::<A>().name, Kind::of::<B>().name);
-        for _ in 0..oracle.repetitions() {
-            let (a, b): (A, B) = (samples.full(), samples.full());
-            let (x, y) = (oracle.value(&a), oracle.value(&b));
-            let expected = oracle.product(Product::ScalarProduct, &x, &y);
-            let generated = oracle.scalar(a.scalar_product(b));
-            oracle.same(&what, &[&x, &y], &generated, &expected);
-        }
-    }
-}
-
-impl<A, B, I, P, R> Pair<A, B>
-where
-    A: Element<Number = Rational> + Quotient<B, Output: Element<Number = Rational>>,
-    A: LeftContract<B, Output = P> + Wedge<B, Output = R>,
-    B: Element<Number = Rational> + Inverse<Number = Rational, Output = I>,
-    P: LeftContract<I, Output: Element<Number = Rational>>,
-    R: RightContract<I, Output: Element<Number = Rational>>,
-    I: Element<Number = Rational>,
-{
-    /// Quotient, projection and rejection against their definitions by the inverse.
-    pub fn divisions(&self, oracle: &Oracle) {
-        let mut samples = Samples::new(A::BLADES.len() as u64 + 99 * B::BLADES.len() as u64);
-        let what = format!("{}/{}", Kind::of::<A>().name, Kind::of::<B>().name);
-        let (a, b): (A, B) = (samples.sparse(6), samples.sparse(3));
-        let Some(inverse) = b.inverse() else {
-            return;
+        let number = Kind {
+            name: "number".to_owned(),
+            stored: vec![0],
+            signs: vec![Rational::ONE],
+            fixed: Vec::new(),
         };
-        let (x, y, z) = (oracle.value(&a), oracle.value(&b), oracle.value(&inverse));
-        let expected = oracle.product(Product::Geometric, &x, &z);
-        oracle.same(&what, &[&x, &y], &oracle.value(&a.quotient(b)), &expected);
-        let inside = oracle.product(Product::LeftContract, &x, &y);
-        let expected = oracle.product(Product::LeftContract, &inside, &z);
-        let projection = oracle.value(&ga::core::convert::project(a, b));
-        oracle.same(
-            &format!("project {what}"),
-            &[&x, &y],
-            &projection,
-            &expected,
-        );
-        let spanned = oracle.product(Product::Wedge, &x, &y);
-        let expected = oracle.product(Product::RightContract, &spanned, &z);
-        let rejection = oracle.value(&ga::core::convert::reject(a, b));
-        oracle.same(&format!("reject {what}"), &[&x, &y], &rejection, &expected);
-        // For blades both are also geometric products with the inverse (2.29, 2.30).
-        let blade: B = single(&mut samples);
-        if let Some(inverse) = blade.inverse() {
-            let (y, z) = (oracle.value(&blade), oracle.value(&inverse));
-            let inside = oracle.product(Product::LeftContract, &x, &y);
-            let expected = oracle.product(Product::Geometric, &inside, &z);
-            let projection = oracle.value(&ga::core::convert::project(a, blade));
-            if Kind::of::<B>().fixed.is_empty() {
-                oracle.same(&format!("blade {what}"), &[&x, &y], &projection, &expected);
-            }
-        }
+        let kinds = [Kind::of::<A>(), Kind::of::<B>(), number];
+        on_samples(oracle, Product::ScalarProduct, kinds, |a, b| {
+            vec![element::<A>(a).scalar_product(element::<B>(b))]
+        });
     }
 }
 
-/// A multiple of one basis blade.
-fn single<B: Element<Number = Rational>>(samples: &mut Samples) -> B {
-    let position = samples.below(B::BLADES.len());
-    B::from_fn(|i| {
-        if i == position {
-            samples.integer(9)
-        } else {
-            Rational::ZERO
-        }
-    })
+/// All products of a pair.
+macro_rules! check_products {
+    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
+        type Q = ga::core::Rational;
+        #[allow(unused_imports, reason = "used by pairs without some product")]
+        use crate::products::NoProduct;
+        let pair = crate::operation::Pair::<$module::$A<Q>, $module::$B<Q>>::new();
+        pair.geometric($oracle);
+        pair.wedge($oracle);
+        pair.left_contract($oracle);
+        pair.right_contract($oracle);
+        pair.inner($oracle);
+        pair.regressive($oracle);
+        pair.commutator($oracle);
+        pair.anticommutator($oracle);
+        pair.scalar_product($oracle);
+    }};
 }
+pub(crate) use check_products;

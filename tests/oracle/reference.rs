@@ -8,13 +8,22 @@ use ga::core::dense::{Algebra, Dense};
 use ga::core::ops::Element;
 use ga::core::{Blade, Metric, Product, Rational};
 
+use crate::divisions::Divisor;
 use crate::kind::Kind;
+use crate::operation::{Numbers, numbers};
+use crate::polynomial::reversal;
+use crate::samples::Form;
 
 /// Terms of a product of two blades.
 type Row = Rc<[(u32, Rational)]>;
 
 /// The coefficients by bitmask.
 pub type Value = Vec<Rational>;
+
+fn terms(dense: &Dense<Rational>) -> Row {
+    let terms = dense.terms();
+    terms.iter().map(|(blade, v)| (blade.mask(), *v)).collect()
+}
 
 /// A metric with its dense algebra, and the types that are compared with it.
 pub struct Oracle {
@@ -29,8 +38,11 @@ pub struct Oracle {
     /// How many operations have been compared.
     pub compared: RefCell<usize>,
     /// The versors of each type, found when first asked for.
-    pub versors: RefCell<HashMap<String, Vec<Value>>>,
+    pub versors: RefCell<HashMap<String, Vec<Numbers>>>,
+    /// Divisors of each type with their inverses, found when first asked for.
+    pub divisors: RefCell<HashMap<String, Rc<[Divisor]>>>,
     rows: RefCell<HashMap<(Product, u32, u32), Row>>,
+    complements: RefCell<HashMap<u32, [(u32, Rational); 2]>>,
 }
 
 impl Oracle {
@@ -44,7 +56,9 @@ impl Oracle {
             embeddings: &[],
             compared: RefCell::new(0),
             versors: RefCell::default(),
+            divisors: RefCell::default(),
             rows: RefCell::default(),
+            complements: RefCell::default(),
         }
     }
 
@@ -53,14 +67,43 @@ impl Oracle {
         if let Some(row) = self.rows.borrow().get(&(product, a, b)) {
             return Rc::clone(row);
         }
-        let blade = |mask| self.algebra.blade(Blade::new(mask), Rational::ONE);
-        let (left, right) = (blade(a).expect("a blade"), blade(b).expect("a blade"));
-        let dense = left.product(product, &right).expect("one algebra");
-        let row: Row = dense.terms().iter().map(|(b, v)| (b.mask(), *v)).collect();
+        let row: Row = match product {
+            // By its definition, complement by complement.
+            Product::Regressive => {
+                let ((a, x), (b, y)) = (self.complements(a)[1], self.complements(b)[1]);
+                let spanned = self.blades(Product::Wedge, a, b);
+                let joined = spanned.iter().map(|(mask, value)| {
+                    let (image, sign) = self.complements(*mask)[0];
+                    (image, *value * sign * x * y)
+                });
+                joined.collect()
+            }
+            _ => {
+                let (left, right) = (self.blade(a), self.blade(b));
+                let dense = left.product(product, &right).expect("one algebra");
+                terms(&dense)
+            }
+        };
         self.rows
             .borrow_mut()
             .insert((product, a, b), Rc::clone(&row));
         row
+    }
+
+    fn blade(&self, mask: u32) -> Dense<Rational> {
+        let blade = self.algebra.blade(Blade::new(mask), Rational::ONE);
+        blade.expect("a blade of the algebra")
+    }
+
+    /// The left and the right complement of a basis blade, each a blade with its sign.
+    fn complements(&self, mask: u32) -> [(u32, Rational); 2] {
+        if let Some(known) = self.complements.borrow().get(&mask) {
+            return *known;
+        }
+        let blade = self.blade(mask);
+        let pair = [blade.left_complement(), blade.right_complement()].map(|x| terms(&x)[0]);
+        self.complements.borrow_mut().insert(mask, pair);
+        pair
     }
 
     /// A product, by its bilinearity from those of the blades.
@@ -86,9 +129,22 @@ impl Oracle {
         result
     }
 
-    /// How often an operation is compared: in large algebras one sample has terms enough.
-    pub fn repetitions(&self) -> usize {
-        if self.dimension < 6 { 2 } else { 1 }
+    /// The samples on which every product is compared; in large algebras most are sparse.
+    pub fn forms(&self) -> [Form; 4] {
+        match self.dimension {
+            0..6 => [
+                Form::Fractions,
+                Form::Sparse(2),
+                Form::Integers,
+                Form::Blade,
+            ],
+            _ => [
+                Form::Sparse(3),
+                Form::Sparse(8),
+                Form::Blade,
+                Form::Integers,
+            ],
+        }
     }
 
     pub fn zero(&self) -> Value {
@@ -103,23 +159,46 @@ impl Oracle {
 
     /// All coefficients of an element, fixed ones included, by bitmask.
     pub fn value<X: Element<Number = Rational>>(&self, x: &X) -> Value {
+        self.value_of(&Kind::of::<X>(), &numbers(x))
+    }
+
+    /// All coefficients of an element that is given by its type and what that stores.
+    pub fn value_of(&self, kind: &Kind, numbers: &[Rational]) -> Value {
+        assert_eq!(numbers.len(), kind.stored.len());
         let mut value = self.zero();
-        for (position, (blade, sign)) in X::BLADES.iter().enumerate() {
-            value[blade.mask() as usize] = x.at(position) * Rational::from(i128::from(*sign));
+        for ((mask, sign), number) in kind.stored.iter().zip(&kind.signs).zip(numbers) {
+            value[*mask as usize] = *number * *sign;
         }
-        for (mask, fixed) in Kind::of::<X>().fixed {
-            value[mask as usize] = fixed;
+        for (mask, fixed) in &kind.fixed {
+            value[*mask as usize] = *fixed;
         }
         value
     }
 
-    /// The element of a type with these coefficients, if the type holds them.
-    pub fn element<X: Element<Number = Rational>>(&self, value: &Value) -> Option<X> {
-        let x = X::from_fn(|position| {
-            let (blade, sign) = X::BLADES[position];
-            value[blade.mask() as usize] * Rational::from(i128::from(sign))
-        });
-        (self.value(&x) == *value).then_some(x)
+    /// What a type stores of a value, if it holds that.
+    pub fn numbers(&self, kind: &Kind, value: &Value) -> Option<Numbers> {
+        let fields = kind.stored.iter().zip(&kind.signs);
+        let numbers: Numbers = fields
+            .map(|(mask, sign)| value[*mask as usize] * *sign)
+            .collect();
+        (self.value_of(kind, &numbers) == *value).then_some(numbers)
+    }
+
+    /// The value with every coefficient multiplied by the sign of its blade.
+    pub fn signed(&self, value: &Value, sign: impl Fn(u32) -> Rational) -> Value {
+        (0..).zip(value).map(|(mask, v)| *v * sign(mask)).collect()
+    }
+
+    /// The inverse: the reverse over X X̃ where that is a number, else that of the dense algebra.
+    pub fn inverse(&self, value: &Value) -> Option<Value> {
+        let reverse = self.signed(value, reversal);
+        let square = self.product(Product::Geometric, value, &reverse);
+        if square != self.scalar(square[0]) {
+            let inverse = self.dense(value).inverse().ok()?;
+            return Some(inverse.coefficients().to_vec());
+        }
+        let exists = square[0] != Rational::ZERO;
+        exists.then(|| reverse.iter().map(|v| *v / square[0]).collect())
     }
 
     pub fn dense(&self, value: &Value) -> Dense<Rational> {

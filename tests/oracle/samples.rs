@@ -4,14 +4,34 @@ use ga::core::ops::Element;
 use ga::core::{Product, Rational};
 
 use crate::kind::Kind;
+use crate::operation::{Numbers, element};
+use crate::polynomial::reversal;
 use crate::reference::{Oracle, Value};
 
 /// Numbers that are the same in every run.
 pub struct Samples(u64);
 
+/// Which coefficients of a sample differ from zero, and how large they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// Fractions, one in eight of them zero.
+    Fractions,
+    /// Small integers, none of them zero.
+    Integers,
+    /// About so many small integers.
+    Sparse(usize),
+    /// A multiple of one basis blade.
+    Blade,
+}
+
 impl Samples {
     pub fn new(seed: u64) -> Samples {
         Samples(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
+    }
+
+    /// The samples of a pair of types.
+    pub fn of(left: &Kind, right: &Kind) -> Samples {
+        Samples::new(left.stored.len() as u64 * 64 + right.stored.len() as u64)
     }
 
     fn next(&mut self) -> u64 {
@@ -37,7 +57,7 @@ impl Samples {
     }
 
     /// A fraction; one value in eight is zero.
-    pub fn fraction(&mut self) -> Rational {
+    fn fraction(&mut self) -> Rational {
         match self.next() % 8 {
             0 => Rational::ZERO,
             1 => self.integer(99) / Rational::from_integer(2),
@@ -46,18 +66,28 @@ impl Samples {
         }
     }
 
+    /// The coefficients of an element.
+    pub fn numbers(&mut self, length: usize, form: Form) -> Numbers {
+        let chosen = self.below(length);
+        (0..length)
+            .map(|position| match form {
+                Form::Fractions => self.fraction(),
+                Form::Integers => self.integer(3),
+                Form::Sparse(count) if self.below(length) < count => self.integer(3),
+                Form::Blade if position == chosen => self.integer(9),
+                Form::Sparse(_) | Form::Blade => Rational::ZERO,
+            })
+            .collect()
+    }
+
     /// An element with all coefficients random.
     pub fn full<X: Element<Number = Rational>>(&mut self) -> X {
-        X::from_fn(|_| self.fraction())
+        element(&self.numbers(X::BLADES.len(), Form::Fractions))
     }
 
     /// An element with about `count` small coefficients.
     pub fn sparse<X: Element<Number = Rational>>(&mut self, count: usize) -> X {
-        let length = X::BLADES.len();
-        X::from_fn(|_| match self.below(length) < count {
-            true => self.integer(3),
-            false => Rational::ZERO,
-        })
+        element(&self.numbers(X::BLADES.len(), Form::Sparse(count)))
     }
 
     /// A number between −1 and 1.
@@ -71,21 +101,25 @@ const TRIPLES: [(i128, i128); 4] = [(3, 4), (5, 3), (5, 4), (5, 12)];
 
 /// Versors of a type: single blades, sums of few blades and products of these, as far as the
 /// type holds them; of norm 1 for a type that is declared so.
-pub fn versors<V: Element<Number = Rational>>(oracle: &Oracle) -> Vec<V> {
-    let kind = Kind::of::<V>();
-    let known = oracle.versors.borrow().get(&kind.name).cloned();
-    let chosen = known.unwrap_or_else(|| search::<V>(oracle, &kind));
-    let list = chosen.iter().filter_map(|value| oracle.element(value));
-    let list = list.collect();
-    oracle.versors.borrow_mut().insert(kind.name, chosen);
+pub fn versors(oracle: &Oracle, kind: &Kind) -> Vec<Numbers> {
+    if let Some(known) = oracle.versors.borrow().get(&kind.name) {
+        return known.clone();
+    }
+    let chosen = search(oracle, kind);
+    let list = chosen
+        .iter()
+        .filter_map(|value| oracle.numbers(kind, value));
+    let list: Vec<Numbers> = list.collect();
+    let mut versors = oracle.versors.borrow_mut();
+    versors.insert(kind.name.clone(), list.clone());
     list
 }
 
-fn search<V: Element<Number = Rational>>(oracle: &Oracle, kind: &Kind) -> Vec<Value> {
+fn search(oracle: &Oracle, kind: &Kind) -> Vec<Value> {
     let unit = oracle.units.contains(&kind.name.as_str());
-    let mut samples = Samples::new(V::BLADES.len() as u64 + 7);
+    let length = kind.stored.len();
+    let mut samples = Samples::new(length as u64 + 7);
     let mut found: Vec<Value> = Vec::new();
-    let length = V::BLADES.len();
     for attempt in 0..80 {
         let mut numbers = vec![Rational::ZERO; length];
         if attempt < length {
@@ -101,8 +135,8 @@ fn search<V: Element<Number = Rational>>(oracle: &Oracle, kind: &Kind) -> Vec<Va
                 numbers[samples.below(length)] += samples.integer(3);
             }
         }
-        let candidate = oracle.value(&V::from_fn(|position| numbers[position]));
-        found.extend(accepted::<V>(oracle, &candidate, unit));
+        let candidate = oracle.value_of(kind, &numbers);
+        found.extend(accepted(oracle, kind, &candidate, unit));
     }
     let first = found.len();
     for _ in 0..if first == 0 { 0 } else { 24 } {
@@ -111,7 +145,7 @@ fn search<V: Element<Number = Rational>>(oracle: &Oracle, kind: &Kind) -> Vec<Va
         let small = product
             .iter()
             .all(|v| *v.numer() < 10_000 && *v.denom() < 10_000);
-        if let Some(versor) = accepted::<V>(oracle, &product, unit).filter(|_| small) {
+        if let Some(versor) = accepted(oracle, kind, &product, unit).filter(|_| small) {
             found.push(versor);
         }
     }
@@ -126,26 +160,19 @@ fn search<V: Element<Number = Rational>>(oracle: &Oracle, kind: &Kind) -> Vec<Va
 }
 
 /// The value, brought to norm 1 where that is wanted, if it is a versor that the type holds.
-fn accepted<V: Element<Number = Rational>>(
-    oracle: &Oracle,
-    value: &Value,
-    unit: bool,
-) -> Option<Value> {
-    let dense = oracle.dense(value);
-    let square = dense.geometric(&dense.reverse()).ok()?;
-    let norm = square.coefficient(ga::core::Blade::SCALAR);
-    if norm == Rational::ZERO || !square.sub(&oracle.algebra.scalar(norm)).ok()?.is_zero() {
+fn accepted(oracle: &Oracle, kind: &Kind, value: &Value, unit: bool) -> Option<Value> {
+    let reverse = oracle.signed(value, reversal);
+    let square = oracle.product(Product::Geometric, value, &reverse);
+    let norm = square[0];
+    if norm == Rational::ZERO || square != oracle.scalar(norm) {
         return None;
     }
     for axis in 0..oracle.dimension {
-        let blade = ga::core::Blade::new(1 << axis);
-        let vector = oracle.algebra.blade(blade, Rational::ONE).ok()?;
-        let image = dense
-            .geometric(&vector)
-            .ok()?
-            .geometric(&dense.reverse())
-            .ok()?;
-        if image.terms().iter().any(|(blade, _)| blade.grade() != 1) {
+        let mut vector = oracle.zero();
+        vector[1 << axis] = Rational::ONE;
+        let image = oracle.product(Product::Geometric, value, &vector);
+        let image = oracle.product(Product::Geometric, &image, &reverse);
+        if image != oracle.restricted(&image, 0b10) {
             return None;
         }
     }
@@ -156,5 +183,5 @@ fn accepted<V: Element<Number = Rational>>(
     } else {
         value.clone()
     };
-    oracle.element::<V>(&value).map(|_| value)
+    oracle.numbers(kind, &value).map(|_| value)
 }

@@ -1,60 +1,145 @@
 //! Involutions, complements, duals, norms, grade parts and inverses of every type.
 
+use std::marker::PhantomData;
+use std::ops::Not;
+
+use ga::core::dense::Dense;
 use ga::core::ops::*;
-use ga::core::{Product, Rational};
+use ga::core::{Blade, Product, Rational};
 
-use crate::kind::Kind;
+use crate::kind::{Kind, smallest};
+use crate::operation::{Numbers, element, numbers};
+use crate::polynomial::linear;
 use crate::reference::Oracle;
-use crate::samples::Samples;
+use crate::samples::{Form, Samples};
 
-/// The operations that every type has in every metric.
-pub fn involutions<A>(oracle: &Oracle)
-where
-    A: Element<Number = Rational>
-        + Reverse<Output: Element<Number = Rational>>
-        + Involute<Output: Element<Number = Rational>>
-        + Conjugate<Output: Element<Number = Rational>>
-        + LeftComplement<Output: Element<Number = Rational>>
-        + RightComplement<Output: Element<Number = Rational>>
-        + NormSquared<Output = Rational>,
-{
-    let name = Kind::of::<A>().name;
-    let mut samples = Samples::new(11 + A::BLADES.len() as u64);
-    for _ in 0..2 {
-        let a: A = samples.full();
-        let value = oracle.value(&a);
-        let dense = oracle.dense(&value);
-        let check = |what: &str, generated, expected: ga::core::dense::Dense<Rational>| {
-            let expected = expected.coefficients().to_vec();
-            oracle.same(&format!("{name}.{what}"), &[&value], &generated, &expected);
-        };
-        check("reverse", oracle.value(&a.reverse()), dense.reverse());
-        check("involute", oracle.value(&a.involute()), dense.involute());
-        check("conjugate", oracle.value(&a.conjugate()), dense.conjugate());
-        let right = oracle.value(&a.right_complement());
-        check("right_complement", right, dense.right_complement());
-        let left = oracle.value(&a.left_complement());
-        check("left_complement", left, dense.left_complement());
-        let norm = oracle.algebra.scalar(dense.norm_squared());
-        check("norm_squared", oracle.scalar(a.norm_squared()), norm);
+/// Stands for one type; what is not generated falls back to the trait of absence.
+pub struct Single<A>(PhantomData<A>);
+
+impl<A> Single<A> {
+    pub const fn new() -> Single<A> {
+        Single(PhantomData)
     }
 }
 
-/// Dual and undual, which need an invertible pseudoscalar.
-pub fn duals<A>(oracle: &Oracle)
+/// A linear map of the dense algebra, where the metric has it.
+type Map = fn(&Dense<Rational>) -> Option<Dense<Rational>>;
+
+/// The type of the image: the type itself, or the smallest that holds it; `None` where the
+/// metric has no such map or no type holds the image.
+fn image_kind(oracle: &Oracle, kind: &Kind, map: Map) -> Option<Kind> {
+    map(&oracle.algebra.zero())?;
+    let image = linear(&kind.general(0), |mask| {
+        let blade = oracle.algebra.blade(Blade::new(mask), Rational::ONE);
+        let image = blade
+            .ok()
+            .and_then(|blade| map(&blade))
+            .expect("a linear map");
+        let terms = image.terms();
+        terms.iter().map(|(blade, v)| (blade.mask(), *v)).collect()
+    });
+    let own = kind.holds(&image).then_some(kind);
+    own.or_else(|| smallest(oracle, &image)).cloned()
+}
+
+/// Compares a linear map on samples, and its type with all types.
+fn compare(
+    oracle: &Oracle,
+    name: &str,
+    [kind, result]: [Kind; 2],
+    map: Map,
+    compute: fn(&[Rational]) -> Numbers,
+) {
+    let what = format!("{}.{name}()", kind.name);
+    let fields = image_kind(oracle, &kind, map).map(|kind| kind.stored.len());
+    assert_eq!(Some(result.stored.len()), fields, "fields of {what}");
+    let mut samples = Samples::new(11 + kind.stored.len() as u64);
+    for form in [Form::Fractions, Form::Fractions, Form::Sparse(2)] {
+        let a = samples.numbers(kind.stored.len(), form);
+        let value = oracle.value_of(&kind, &a);
+        let expected = map(&oracle.dense(&value)).expect("a map of the metric");
+        let generated = oracle.value_of(&result, &compute(&a));
+        oracle.same(
+            &what,
+            &[&value],
+            &generated,
+            &expected.coefficients().to_vec(),
+        );
+    }
+}
+
+macro_rules! all_maps {
+    ($($trait:ident $method:ident $map:expr;)*) => {
+        $(
+            impl<A, R> Single<A>
+            where
+                A: Element<Number = Rational> + $trait<Output = R>,
+                R: Element<Number = Rational>,
+            {
+                pub fn $method(&self, oracle: &Oracle) {
+                    let kinds = [Kind::of::<A>(), Kind::of::<R>()];
+                    compare(oracle, stringify!($method), kinds, $map, |a| {
+                        numbers(&element::<A>(a).$method())
+                    });
+                }
+            }
+        )*
+
+        /// What is not generated must have no type, or no meaning in the metric.
+        #[expect(dead_code, reason = "some maps exist for every type")]
+        pub trait NoMap {
+            $(fn $method(&self, oracle: &Oracle);)*
+        }
+
+        impl<A: Element<Number = Rational>> NoMap for Single<A> {
+            $(
+                fn $method(&self, oracle: &Oracle) {
+                    let kind = Kind::of::<A>();
+                    let image = image_kind(oracle, &kind, $map);
+                    assert_eq!(image, None, "{}.{}()", kind.name, stringify!($method));
+                }
+            )*
+        }
+    };
+}
+
+all_maps! {
+    Reverse reverse |a| Some(a.reverse());
+    Involute involute |a| Some(a.involute());
+    Conjugate conjugate |a| Some(a.conjugate());
+    LeftComplement left_complement |a| Some(a.left_complement());
+    RightComplement right_complement |a| Some(a.right_complement());
+    Dual dual |a| a.dual().ok();
+    Undual undual |a| a.dual().ok().map(|_| a.undual());
+}
+
+/// The squared norm.
+pub fn norms<A>(oracle: &Oracle)
 where
-    A: Element<Number = Rational>
-        + Dual<Output: Element<Number = Rational>>
-        + Undual<Output: Element<Number = Rational>>,
+    A: Element<Number = Rational> + NormSquared<Output = Rational>,
 {
-    let a: A = Samples::new(13).full();
+    let name = Kind::of::<A>().name;
+    let mut samples = Samples::new(13 + A::BLADES.len() as u64);
+    for _ in 0..2 {
+        let a: A = samples.full();
+        let value = oracle.value(&a);
+        let expected = oracle.scalar(oracle.dense(&value).norm_squared());
+        let generated = oracle.scalar(a.norm_squared());
+        let what = format!("{name}.norm_squared()");
+        oracle.same(&what, &[&value], &generated, &expected);
+    }
+}
+
+/// The operator `!` is the dual.
+pub fn not<A>(oracle: &Oracle)
+where
+    A: Element<Number = Rational> + Dual<Output: Element<Number = Rational>>,
+    A: Not<Output = <A as Dual>::Output>,
+{
+    let a: A = Samples::new(14).full();
     let value = oracle.value(&a);
-    let dense = oracle.dense(&value);
-    let expected = dense.dual().expect("an invertible pseudoscalar");
-    let expected = expected.coefficients().to_vec();
-    oracle.same("dual", &[&value], &oracle.value(&a.dual()), &expected);
-    let expected = dense.undual().coefficients().to_vec();
-    oracle.same("undual", &[&value], &oracle.value(&a.undual()), &expected);
+    let expected = oracle.value(&a.dual());
+    oracle.same("!", &[&value], &oracle.value(&!a), &expected);
 }
 
 /// The inverse times the element is 1 on both sides, and missing exactly where the dense
@@ -69,13 +154,13 @@ where
     for count in [1, 2, 3, 4] {
         list.push(samples.sparse(count));
     }
-    if oracle.dimension < 6 {
+    if oracle.dimension < 6 || A::BLADES.len() <= 6 {
         list.push(A::from_fn(|_| samples.integer(3)));
     }
     for a in list {
         let value = oracle.value(&a);
         let generated = Inverse::inverse(a).map(|inverse| oracle.value(&inverse));
-        let expected = oracle.dense(&value).inverse().ok();
+        let expected = oracle.inverse(&value);
         assert_eq!(
             generated.is_some(),
             expected.is_some(),
@@ -100,9 +185,20 @@ where
 macro_rules! check_unary {
     ($oracle:ident, $module:ident, $A:ident) => {{
         type A = $module::$A<ga::core::Rational>;
-        crate::unary::involutions::<A>(&$oracle);
+        #[allow(unused_imports, reason = "used by types without some map")]
+        use crate::unary::NoMap;
+        let single = crate::unary::Single::<A>::new();
+        single.reverse(&$oracle);
+        single.involute(&$oracle);
+        single.conjugate(&$oracle);
+        single.left_complement(&$oracle);
+        single.right_complement(&$oracle);
+        single.dual(&$oracle);
+        single.undual(&$oracle);
+        crate::unary::norms::<A>(&$oracle);
         crate::unary::inverses::<A>(&$oracle);
         crate::arithmetic::sums::<A>(&$oracle);
+        crate::arithmetic::numbers_on_the_left::<$module::$A<f32>, $module::$A<f64>>();
         // The part of one grade is a method, not a trait.
         let a: A = crate::samples::Samples::new(19).full();
         let value = $oracle.value(&a);
@@ -122,10 +218,10 @@ macro_rules! check_unary {
 }
 pub(crate) use check_unary;
 
-/// The duals of a type.
+/// The operator of the dual of a type.
 macro_rules! check_duals {
     ($oracle:ident, $module:ident, $A:ident) => {
-        crate::unary::duals::<$module::$A<ga::core::Rational>>(&$oracle);
+        crate::unary::not::<$module::$A<ga::core::Rational>>(&$oracle);
     };
 }
 pub(crate) use check_duals;
