@@ -52,12 +52,14 @@ fn geometric_product() {
     assert_eq!(bits::<Even>(), blades);
 }
 
-/// The documentation lines above a method of an impl.
-fn documentation<'a>(source: &'a str, implementation: &str) -> Vec<&'a str> {
-    let start = source.find(implementation).expect("the impl is generated");
-    let lines = source[start..].lines().skip(1).map(str::trim);
-    let body = lines.take_while(|line| !line.starts_with("fn "));
-    body.filter_map(|line| line.strip_prefix("///"))
+/// The documentation lines above a function of a list.
+fn documentation<'a>(source: &'a str, list: &str, function: &str) -> Vec<&'a str> {
+    let start = source.find(list).expect("the list is generated");
+    let list = &source[start..];
+    let end = list.find(function).expect("the function is generated");
+    let lines = list[..end].lines().map(str::trim).rev().skip(1);
+    lines
+        .map_while(|line| line.strip_prefix("///"))
         .map(str::trim)
         .collect()
 }
@@ -65,7 +67,11 @@ fn documentation<'a>(source: &'a str, implementation: &str) -> Vec<&'a str> {
 /// The instruction lists of A.4: `a[i] * b[j] /*eij*/ -a[j] * b[i] /*eij*/`.
 fn holds_instructions(dimension: usize, blades: &[(usize, usize)]) {
     let source = ga_codegen::expand(&format!("R{dimension}"));
-    let lines = documentation(&source, "Wedge<Vector<T>> for Vector<T>");
+    let lines = documentation(
+        &source,
+        "Wedge for Vector<T> {",
+        "fn wedge(self, b: Vector<T>)",
+    );
     let text = lines.join("\n");
     for (i, j) in blades {
         let formula = format!("e{i}{j} = a.e{i} b.e{j} − a.e{j} b.e{i}");

@@ -5,7 +5,7 @@ use ga::core::{Metric, Rational};
 
 use crate::conversions::{check_conversions, check_masks};
 use crate::divisions::check_divisions;
-use crate::operators::check_operators;
+use crate::operators::{check_operators, check_references, check_sums};
 use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
@@ -93,4 +93,6 @@ fn divisions() {
 fn operators() {
     with_types!(oracle, kinds, none);
     with_types!(oracle, each_pair, check_operators);
+    with_types!(oracle, each_pair, check_references);
+    with_types!(oracle, each_pair, check_sums);
 }

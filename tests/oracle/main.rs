@@ -10,6 +10,7 @@ mod conversions;
 mod divisions;
 mod kind;
 mod laws;
+mod nine_dimensions;
 mod oblique;
 mod operation;
 mod operators;

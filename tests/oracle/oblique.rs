@@ -5,7 +5,7 @@ use ga::core::{Metric, Rational};
 
 use crate::conversions::{check_conversions, check_masks};
 use crate::divisions::check_divisions;
-use crate::operators::check_operators;
+use crate::operators::{check_operators, check_references, check_sums};
 use crate::presets::check_everything;
 use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};

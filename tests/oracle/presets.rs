@@ -27,6 +27,8 @@ macro_rules! check_everything {
             each_pair!(oracle, $module, $types, check_conversions);
             each_pair!(oracle, $module, $types, check_divisions);
             each_pair!(oracle, $module, $types, check_operators);
+            each_pair!(oracle, $module, $types, check_references);
+            each_pair!(oracle, $module, $types, check_sums);
             each_type!(oracle, $module, $types, check_unary);
             check_masks!(oracle, $module);
             type M = $module::Multivector<ga::core::Rational>;
@@ -44,18 +46,7 @@ macro_rules! check_everything {
     };
 }
 
-/// References on the right, and sums of different types: what an algebra of few types has.
-macro_rules! check_conveniences {
-    ($test:ident, $module:ident, $metric:expr, $types:tt) => {
-        #[test]
-        fn $test() {
-            let oracle = oracle!($module $metric, units [], $types);
-            each_pair!(oracle, $module, $types, check_references);
-            each_pair!(oracle, $module, $types, check_sums);
-        }
-    };
-}
-pub(crate) use {check_conveniences, check_everything};
+pub(crate) use check_everything;
 
 fn signature(positive: usize, negative: usize, null: usize) -> Metric {
     Metric::from_signature(positive, negative, null).expect("few dimensions")
@@ -73,16 +64,3 @@ check_everything! { spacetime, r1_3, signature(1, 3, 0), [],
 [Scalar Vector Bivector Trivector Quadvector Even Odd Multivector], check_duals }
 check_everything! { conformal_orthonormal, r4_1, signature(4, 1, 0), [],
 [Scalar Vector Bivector Trivector Quadvector Pentavector Even Odd Multivector], check_duals }
-
-check_conveniences! { plane_conveniences, r2, signature(2, 0, 0),
-[Scalar Vector Bivector Even Odd Multivector] }
-check_conveniences! { space_conveniences, r3, signature(3, 0, 0),
-[Scalar Vector Bivector Trivector Even Odd Multivector] }
-check_conveniences! { quaternions_conveniences, r0_2, signature(0, 2, 0),
-[Scalar Vector Bivector Even Odd Multivector] }
-check_conveniences! { projective_conveniences, r3_0_1, signature(3, 0, 1),
-[Scalar Vector Bivector Trivector Quadvector Even Odd Multivector] }
-check_conveniences! { spacetime_conveniences, r1_3, signature(1, 3, 0),
-[Scalar Vector Bivector Trivector Quadvector Even Odd Multivector] }
-check_conveniences! { conformal_orthonormal_conveniences, r4_1, signature(4, 1, 0),
-[Scalar Vector Bivector Trivector Quadvector Pentavector Even Odd Multivector] }

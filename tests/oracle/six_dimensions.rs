@@ -5,7 +5,7 @@ use ga::core::Metric;
 use crate::conversions::{check_conversions, check_masks};
 use crate::divisions::check_divisions;
 use crate::operators::{check_operators, check_references, check_sums};
-use crate::presets::{check_conveniences, check_everything};
+use crate::presets::check_everything;
 use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
@@ -27,12 +27,3 @@ check_everything! { conformal_spacetime, r4_2, signature(4, 2), [],
 [Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector], check_duals }
 check_everything! { lie_spheres, r2_4, signature(2, 4), [],
 [Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector], check_duals }
-
-check_conveniences! { euclidean_conveniences, r6, signature(6, 0),
-[Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector] }
-check_conveniences! { split_conveniences, r3_3, signature(3, 3),
-[Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector] }
-check_conveniences! { conformal_spacetime_conveniences, r4_2, signature(4, 2),
-[Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector] }
-check_conveniences! { lie_spheres_conveniences, r2_4, signature(2, 4),
-[Scalar Vector Bivector Trivector Quadvector Pentavector Hexavector Even Odd Multivector] }

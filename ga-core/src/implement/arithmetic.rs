@@ -7,6 +7,7 @@ macro_rules! element_arithmetic {
     ($Name:ident $Sum:ident { $($field:ident,)* } {}) => {
         impl<T: $crate::Scalar> ::core::ops::Add for $Name<T> {
             type Output = $Name<T>;
+            /// The sum, coefficient by coefficient: one addition each.
             #[inline]
             fn add(self, b: Self) -> Self {
                 $Name { $($field: self.$field + b.$field),* }
@@ -14,6 +15,7 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Scalar> ::core::ops::Sub for $Name<T> {
             type Output = $Name<T>;
+            /// The difference, coefficient by coefficient: one subtraction each.
             #[inline]
             fn sub(self, b: Self) -> Self {
                 $Name { $($field: self.$field - b.$field),* }
@@ -21,6 +23,7 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Scalar> ::core::ops::Neg for $Name<T> {
             type Output = $Name<T>;
+            /// Every coefficient negated; no other operations.
             #[inline]
             fn neg(self) -> Self {
                 $Name { $($field: -self.$field),* }
@@ -28,6 +31,7 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Scalar> $crate::ops::Geometric<T> for $Name<T> {
             type Output = $Name<T>;
+            /// The multiple `a b`: one multiplication a coefficient.
             #[inline]
             fn geometric(self, b: T) -> Self {
                 $Name { $($field: self.$field * b),* }
@@ -35,30 +39,35 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
             type Output = $Name<T>;
+            /// The multiple `a / b`: one division a coefficient.
             #[inline]
             fn quotient(self, b: T) -> Self {
                 $Name { $($field: self.$field / b),* }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::AddAssign for $Name<T> {
+            /// Adds, coefficient by coefficient: one addition each.
             #[inline]
             fn add_assign(&mut self, b: Self) {
                 $(self.$field += b.$field;)*
             }
         }
         impl<T: $crate::Scalar> ::core::ops::SubAssign for $Name<T> {
+            /// Subtracts, coefficient by coefficient: one subtraction each.
             #[inline]
             fn sub_assign(&mut self, b: Self) {
                 $(self.$field -= b.$field;)*
             }
         }
         impl<T: $crate::Scalar> ::core::ops::MulAssign<T> for $Name<T> {
+            /// Multiplies by a number: one multiplication a coefficient.
             #[inline]
             fn mul_assign(&mut self, b: T) {
                 $(self.$field *= b;)*
             }
         }
         impl<T: $crate::Field> ::core::ops::DivAssign<T> for $Name<T> {
+            /// Divides by a number: one division a coefficient.
             #[inline]
             fn div_assign(&mut self, b: T) {
                 $(self.$field /= b;)*
@@ -85,6 +94,7 @@ macro_rules! element_arithmetic {
     ($Name:ident $Sum:ident { $($field:ident,)* } { $($fixed:tt)+ }) => {
         impl<T: $crate::Field> ::core::ops::Add for $Name<T> {
             type Output = $Sum<T>;
+            /// The sum, without the fixed coefficients: one addition a coefficient of the result.
             #[inline]
             fn add(self, b: Self) -> $Sum<T> {
                 $Sum::from(self) + $Sum::from(b)
@@ -92,6 +102,8 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Field> ::core::ops::Sub for $Name<T> {
             type Output = $Sum<T>;
+            /// The difference, without the fixed coefficients: one subtraction a coefficient of the
+            /// result.
             #[inline]
             fn sub(self, b: Self) -> $Sum<T> {
                 $Sum::from(self) - $Sum::from(b)
@@ -99,6 +111,7 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Field> ::core::ops::Neg for $Name<T> {
             type Output = $Sum<T>;
+            /// Every coefficient negated, without the fixed ones as such; no other operations.
             #[inline]
             fn neg(self) -> $Sum<T> {
                 -$Sum::from(self)
@@ -106,6 +119,8 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Field> $crate::ops::Geometric<T> for $Name<T> {
             type Output = $Sum<T>;
+            /// The multiple `a b`, without the fixed coefficients: one multiplication a coefficient of
+            /// the result.
             #[inline]
             fn geometric(self, b: T) -> $Sum<T> {
                 $Sum::from(self).geometric(b)
@@ -113,6 +128,8 @@ macro_rules! element_arithmetic {
         }
         impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
             type Output = $Sum<T>;
+            /// The multiple `a / b`, without the fixed coefficients: one division a coefficient of the
+            /// result.
             #[inline]
             fn quotient(self, b: T) -> $Sum<T> {
                 $Sum::from(self).quotient(b)

@@ -61,7 +61,7 @@ macro_rules! element_methods {
                 $crate::convert::narrow(self, tolerance)
             }
 
-            /// The norm `√|⟨X X̃⟩|` (2.21).
+            /// The norm `√|⟨X X̃⟩|` (2.21); a root more than `norm_squared`.
             #[inline]
             pub fn norm(self) -> T
             where
@@ -71,7 +71,8 @@ macro_rules! element_methods {
                 $crate::ops::norm(self)
             }
 
-            /// The element over its norm; `None` where the norm is zero or not finite.
+            /// The element over its norm; `None` where the norm is zero or not finite. One division
+            /// and a multiplication a coefficient more than `norm`.
             #[inline]
             pub fn normalized(self) -> ::core::option::Option<$Sum<T>>
             where
@@ -84,7 +85,9 @@ macro_rules! element_methods {
                     .then(|| $Sum::from(self) * (T::ONE / norm))
             }
 
-            /// The inverse; `None` where there is none.
+            /// The inverse, the adjugate over the determinant; `None` where there is none. Their
+            /// operation counts stand at the implementation of `Inverse` for this type; one
+            /// division and a multiplication a coefficient come on top.
             #[inline]
             pub fn inverse(self) -> ::core::option::Option<<Self as $crate::ops::Inverse>::Output>
             where
@@ -112,7 +115,7 @@ macro_rules! element_methods {
             }
 
             /// The orthogonal projection `(a ⌋ B) B⁻¹` onto `b` (2.29); non-finite where `b` has
-            /// no inverse.
+            /// no inverse. Two contractions and an inverse.
             #[inline]
             pub fn project<B>(self, b: B) -> $crate::convert::Projection<Self, B>
             where
@@ -125,7 +128,7 @@ macro_rules! element_methods {
             }
 
             /// The orthogonal rejection `(a ∧ B) B⁻¹` from `b` (2.30); non-finite where `b` has
-            /// no inverse.
+            /// no inverse. An outer product, a contraction and an inverse.
             #[inline]
             pub fn reject<B>(self, b: B) -> $crate::convert::Rejection<Self, B>
             where
@@ -190,6 +193,9 @@ macro_rules! element_methods {
         impl<T> $Name<T> {
             $(
                 $(#[$doc])*
+                ///
+                /// Formula and operation count stand with the implementation of the trait for
+                /// the two types.
                 #[inline]
                 pub fn $method<B>(self, b: B) -> <Self as $crate::ops::$trait<B>>::Output
                 where
@@ -204,6 +210,8 @@ macro_rules! element_methods {
         impl<T> $Name<T> {
             $(
                 $(#[$doc])*
+                ///
+                /// Formula and operation count stand with the implementation of the trait.
                 #[inline]
                 pub fn $method(self) -> <Self as $crate::ops::$trait>::Output
                 where

@@ -19,7 +19,11 @@ pub fn holds(kind: &Type, element: &Element) -> bool {
 }
 
 /// The type with the fewest fields that holds the element; of equals the one declared first.
+/// What vanishes is a scalar, whatever else could hold it.
 pub fn smallest(model: &Model, element: &Element) -> Option<usize> {
+    if element.is_empty() {
+        return model.type_named("Scalar");
+    }
     (0..model.types.len())
         .filter(|&i| holds(&model.types[i], element))
         .min_by_key(|&i| model.types[i].field_count())

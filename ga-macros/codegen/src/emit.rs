@@ -14,7 +14,8 @@ mod versors;
 use std::collections::HashMap;
 
 use proc_macro2::{Span, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
 
 use crate::closure;
 use crate::errors::{Errors, Mistake};
@@ -180,12 +181,15 @@ fn module(model: &Model, structs: TokenStream, items: TokenStream) -> TokenStrea
         .iter()
         .any(is_deprecated)
         .then(|| quote!(#[allow(deprecated)]));
+    // A path that leads nowhere is the path's mistake, not the whole call's.
+    let span = Span::call_site().located_at(core.span());
+    let entry = quote_spanned!(span=> use #core as algebra;);
     quote! {
         #(#attributes)*
         #documentation
         #allowance
         #visibility mod #name {
-            use #core as algebra;
+            #entry
             use algebra::{Blade, Element, Field, Real, Scalar as Number};
             use algebra::ops::{
                 Anticommutator, Apply, Commutator, Conjugate, Dual, Exponential, Geometric, Inner,

@@ -99,7 +99,8 @@ impl Kernel {
         cost
     }
 
-    /// The kernel without the temporaries that no output uses, the others numbered anew.
+    /// The kernel without the temporaries that no output uses, the others numbered anew, and
+    /// without a divisor whose reciprocal is not used.
     pub fn without_unused(self) -> Kernel {
         let used = |number: usize| {
             let mut monomials = self.outputs.iter().flat_map(Poly::terms);
@@ -121,11 +122,20 @@ impl Kernel {
             }
         };
         let outputs = self.outputs.iter().map(|poly| poly.renamed(renumbered));
-        Kernel {
+        let mut kernel = Kernel {
             outputs: outputs.collect(),
             temporaries: kept.iter().map(|n| self.temporaries[*n].clone()).collect(),
             ..self
+        };
+        let divides = |poly: &Poly| {
+            let mut variables = poly.terms().flat_map(|(monomial, _)| monomial.variables());
+            variables.any(|v| v.operand == RECIPROCAL)
+        };
+        let mut bodies = kernel.temporaries.iter().chain(&kernel.outputs);
+        if !bodies.any(divides) {
+            kernel.divisor = None;
         }
+        kernel
     }
 
     /// How many monomials the kernel writes.

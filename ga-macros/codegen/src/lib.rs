@@ -94,7 +94,7 @@ fn checked(tokens: TokenStream, errors: &mut Errors) -> Option<model::Model> {
 
 fn unreadable(error: &proc_macro2::LexError) -> String {
     let start = error.span().start();
-    let message = Mistake::Syntax("this is not Rust's alphabet of tokens".into());
+    let message = Mistake::Syntax("this cannot be read as Rust's tokens".into());
     format!("{}:{}: {message}\n", start.line, start.column + 1)
 }
 

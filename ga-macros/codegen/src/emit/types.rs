@@ -116,7 +116,7 @@ pub fn module_documentation(model: &Model, is_first: bool) -> TokenStream {
                 None => label(slot).to_owned(),
             })
             .collect();
-        let _ = writeln!(text, " - [`{}`]: {}", kind.name, labels.join(", "));
+        let _ = writeln!(text, " - `{}` – {}", kind.name, labels.join(", "));
     }
     text.push_str(
         "\n The operators are `*` geometric, `^` outer, `|` inner, `&` regressive, `<<` left \

@@ -11,12 +11,14 @@ use crate::emit::expression;
 use crate::ledger::Entry;
 use crate::poly::{Element, Monomial, Poly, Variable};
 
-/// From how many terms on a product loops over the table of the algebra.
+/// From how many terms on a product loops over the table of the algebra. Up to five dimensions
+/// unrolled bodies are short enough; beyond eight, where types are sparse, the table of all
+/// blades would be longer than they are.
 pub fn loop_from(dimension: usize) -> usize {
     match dimension {
-        0..=5 => usize::MAX,
         6 => 600,
-        _ => 128,
+        7 | 8 => 128,
+        _ => usize::MAX,
     }
 }
 

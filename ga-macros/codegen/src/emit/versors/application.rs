@@ -69,8 +69,15 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
     for x in duality.order() {
         let types = [v, x];
         let handed_on = duality.hand_on(generator, types);
-        let handed_on = handed_on.filter(|_| invertible && !versor.unit);
-        let Some(application) = application(generator, types, even, handed_on.is_none()) else {
+        let mut handed_on = handed_on.filter(|_| invertible && !versor.unit);
+        let mut derived = application(generator, types, even, handed_on.is_none());
+        // What is handed on can lose a fixed coefficient that the application itself keeps.
+        let output = handed_on.as_ref().map(|handed_on| handed_on.output);
+        if output.is_some() && output != derived.as_ref().map(|derived| derived.applied) {
+            handed_on = None;
+            derived = application(generator, types, even, true);
+        }
+        let Some(application) = derived else {
             continue;
         };
         let sandwich_cost = sandwich(generator, &mut emission, &versor, x, &application);

@@ -10,7 +10,11 @@ use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
 use crate::factor::{Cost, Kernel, TEMPORARY};
+use crate::model::Type;
 use crate::poly::{Element, Monomial, Poly, Variable, sum};
+
+/// How many coefficients a type may have for the square of its norm to be looked at.
+const LARGEST_SQUARED: usize = 16;
 
 /// How a type is inverted.
 enum Formula {
@@ -36,9 +40,10 @@ fn formula(generator: &Generator<'_>, a: usize) -> Formula {
     if rest.is_empty() {
         return Formula::Norm;
     }
-    // Squaring polynomials of degree two is only worth it where the closed form can hold.
-    let pure = generator.kind(a).parity().is_some() && generator.model.dimension() <= 5;
-    if !pure {
+    // Squaring polynomials of degree two is only worth it where the closed form can hold: for
+    // all even or all odd elements of five dimensions, and for sparse ones of more.
+    let kind = generator.kind(a);
+    if kind.parity().is_none() || kind.slots.len() > LARGEST_SQUARED {
         return Formula::General;
     }
     let rest_squared = generator.tables.product(Product::Geometric, &rest, &rest);
@@ -69,18 +74,22 @@ pub fn result(generator: &Generator<'_>, a: usize) -> Option<usize> {
     }
 }
 
-/// `Even`, `Odd` or `Multivector`, where they exist: inverses keep the parity.
+/// The type of all even, of all odd or of all elements, where they exist: inverses keep the
+/// parity. A type of the user's own with the same blades comes before the standard one.
 pub fn parity_type(generator: &Generator<'_>, a: usize) -> Option<usize> {
-    if !generator.model.is_complete() {
+    let model = generator.model;
+    if !model.is_complete() {
         return None;
     }
-    generator
-        .model
-        .type_named(match generator.kind(a).parity() {
-            Some(true) => "Even",
-            Some(false) => "Odd",
-            None => "Multivector",
-        })
+    let parity = generator.kind(a).parity();
+    let standard = model.type_named(match parity {
+        Some(true) => "Even",
+        Some(false) => "Odd",
+        None => "Multivector",
+    })?;
+    let all = model.types[standard].field_count();
+    let is_whole = |kind: &Type| kind.parity() == parity && kind.field_count() == all;
+    model.types.iter().position(is_whole)
 }
 
 /// `X̃ (s − W)`.

@@ -69,7 +69,7 @@ pub fn application(
     // that is composed anyway; there the operand's own grades are the result.
     let size = generator.kind(v).slots.len().pow(2) * kind.slots.len();
     if size > LARGEST_POLYNOMIAL {
-        let by_grade = closure_of_grades(generator, x)?;
+        let by_grade = closure_of_grades(generator, x).filter(|_| model.is_complete())?;
         return Some(Application {
             sandwich: by_grade,
             sandwich_kernel: None,
@@ -112,7 +112,11 @@ pub fn application(
             applied_kernel: None,
         });
     }
-    let limit = unroll_limit(generator, v, applied);
+    let composable = composable(generator, &first, &back);
+    let limit = match composable {
+        true => unroll_limit(generator, v, applied),
+        false => usize::MAX,
+    };
     let short = |kernel: Kernel| Some(kernel).filter(|kernel| kernel.terms() <= limit);
     if unit {
         let kernel = moving(generator, applied, &difference, &back, operand, &whole);
@@ -136,7 +140,7 @@ pub fn application(
     };
     // In large algebras one unrolled body per pair has to do.
     let small = model.types.len() <= SMALL_ALGEBRA;
-    let sandwich_kernel = if applied_kernel.is_none() || small {
+    let sandwich_kernel = if applied_kernel.is_none() || small || !composable {
         let (named, temporaries) = named(&first, 0);
         let second = onto(generator, whole_type, &named, &back, &whole);
         let steps = Kernel {
@@ -156,6 +160,17 @@ pub fn application(
         applied,
         applied_kernel,
     })
+}
+
+/// Whether two products can compose the sandwich: whether both have types.
+fn composable(generator: &Generator<'_>, first: &Element, back: &Element) -> bool {
+    let model = generator.model;
+    model.is_complete()
+        || closure::smallest(model, first).is_some_and(|between| {
+            let between = &generator.general[between][0];
+            let product = generator.tables.product(Product::Geometric, between, back);
+            closure::smallest(model, &product).is_some()
+        })
 }
 
 /// How many terms the body may have; in large algebras only versors are unrolled, and not where

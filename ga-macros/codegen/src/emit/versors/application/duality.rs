@@ -36,7 +36,8 @@ impl Duality {
     /// body of its own.
     pub fn new(generator: &Generator<'_>) -> Duality {
         let count = generator.model.types.len();
-        let large = count > SMALL_ALGEBRA && !generator.model.metric.is_degenerate();
+        let model = generator.model;
+        let large = count > SMALL_ALGEBRA && model.is_complete() && !model.metric.is_degenerate();
         let primary = (0..count).map(|a| primary(generator, a).filter(|_| large));
         Duality {
             primary: primary.collect(),
