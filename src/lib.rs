@@ -22,6 +22,9 @@ pub use ga_cga as cga;
 pub use ga_core as core;
 #[doc(inline)]
 pub use ga_design as design;
+#[cfg(feature = "spaces")]
+#[doc(inline)]
+pub use ga_spaces as spaces;
 
 #[doc(hidden)]
 pub use ga_macros as __macros;
