@@ -1,4 +1,5 @@
 //! Rotors of the plane against complex numbers, of space against nalgebra's quaternions.
+#![cfg(feature = "euclidean")]
 
 use ga_core::Rational;
 use ga_spaces::{euclidean2, euclidean3};

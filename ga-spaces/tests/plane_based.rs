@@ -1,4 +1,5 @@
 //! Plane-based algebras against plain vector geometry.
+#![cfg(feature = "plane-based")]
 
 use ga_core::Rational;
 use ga_spaces::plane_based2 as flat;

@@ -1,4 +1,5 @@
 //! Spacetime against the textbook's formulas of special relativity, written in components.
+#![cfg(feature = "spacetime")]
 
 use ga_core::Rational;
 use ga_spaces::spacetime::{
