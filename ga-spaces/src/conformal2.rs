@@ -50,13 +50,14 @@ ga_macros::define_algebra! {
             Motor { 1, e12, e1^ni, e2^ni }
             /// A scaling about the origin.
             Dilator { 1, no^ni }
-            /// Any transformation that keeps angles and their sense.
-            Conformal = even;
         }
     }
 }
 
 pub use algebra::*;
+
+/// Any transformation that keeps angles and their sense, and with them every even element.
+pub type Conformal<T = f64> = Even<T>;
 
 impl<T: Field> Point<T> {
     /// The point with these Cartesian coordinates.

@@ -57,11 +57,12 @@ ga_macros::define_algebra! {
             IdealBivector { m23, m31, m12 }
             /// The generator of a perspective that keeps the origin.
             OriginBivector { d23, d31, d12 }
-            /// A collineation with positive determinant.
-            Collineation = even;
         }
         products { geometric, wedge, left_contract, scalar_product, commutator, sandwich }
     }
 }
 
 pub use algebra::*;
+
+/// A collineation with positive determinant, and with them every even element.
+pub type Collineation<T = f64> = Even<T>;

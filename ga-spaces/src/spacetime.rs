@@ -50,8 +50,6 @@ ga_macros::define_algebra! {
             Trivector = grade 3;
             /// A multiple of the pseudoscalar I = t∧x∧y∧z, which squares to −1.
             Pseudoscalar { t^x^y^z }
-            /// Any Lorentz transformation that keeps the senses of space and of time.
-            Lorentz = even;
         }
     }
 }
@@ -59,6 +57,10 @@ ga_macros::define_algebra! {
 pub use algebra::*;
 pub use character::Character;
 pub use velocity::{VelocityError, compose_velocities, thomas_rotation};
+
+/// Any Lorentz transformation that keeps the senses of space and of time, and with them every
+/// even element.
+pub type Lorentz<T = f64> = Even<T>;
 
 impl<T: Ring> Vector<T> {
     /// The observer's own four-velocity, the unit vector of time.

@@ -27,8 +27,6 @@ macro_rules! conformal {
                     /// A translation 1 − ½**v** n_∞, of unit norm.
                     #[unit]
                     Translator { 1 = 1, $($axis^ni),* }
-                    /// A product of any even number of reflections in spheres and planes.
-                    Versor = even;
                 }
                 products { geometric, wedge, scalar_product, sandwich }
             }
@@ -40,7 +38,7 @@ macro_rules! conformal {
             type Point = $module::Point<T>;
             type Sphere = $module::Sphere<T>;
             type Translator = $module::Translator<T>;
-            type Versor = $module::Versor<T>;
+            type Versor = $module::Even<T>;
         }
     };
 }

@@ -68,7 +68,7 @@ impl<T: Real> Collineation<T> {
     /// The exponential of a generator: e^M of the matrix that it is the
     /// [`generator`](Bivector::generator) of.
     pub fn from_generator(generator: Bivector<T>) -> Self {
-        ga_core::convert::pick(generator.exp())
+        generator.exp()
     }
 
     /// The scaling by a factor along each axis, as product of two correlations for each;
