@@ -170,7 +170,7 @@ proptest! {
         let height = (Vector3::from(x) - Vector3::from(through)).dot(&unit);
         close(plane.signed_distance(point(x)).expect("finite"), height, 1e-12)?;
         // V x̂ V⁻¹ turns the orientation of a point with its place: weight −1.
-        let image = WeightedPoint::from(plane.apply(point(x)));
+        let image: WeightedPoint = plane.apply(point(x));
         let Place::Point(image) = image.place() else {
             return Err(TestCaseError::fail("the image of a point is a point"));
         };

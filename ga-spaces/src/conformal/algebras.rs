@@ -11,25 +11,29 @@ pub struct Conformal<const N: usize>;
 /// Declares the algebra of one dimension and says what its types are for.
 macro_rules! conformal {
     ($dimension:literal $module:ident $signature:ident { $($axis:ident)* }) => {
-        ga_macros::define_algebra! {
-            /// The conformal model of Euclidean space in this many dimensions.
-            pub mod $module: $signature {
-                basis { $($axis,)* no, ni }
-                metric { $($axis^2 = 1,)* no.ni = -1 }
-                types {
-                    /// A Euclidean vector.
-                    Vector { $($axis),* }
-                    /// A point of weight 1, n_o + **x** + ½**x**² n_∞.
-                    Point { no = 1, $($axis,)* ni }
-                    /// A sphere by its dual vector, of one dimension less than the space; a
-                    /// plane where its weight is zero, a point where its radius is.
-                    Sphere { no, $($axis,)* ni }
-                    /// A translation 1 − ½**v** n_∞, of unit norm.
-                    #[unit]
-                    Translator { 1 = 1, $($axis^ni),* }
+        #[doc = concat!("The conformal model of Euclidean space of dimension ", $dimension, ".")]
+        pub mod $module {
+            ga_macros::define_algebra! {
+                mod algebra: $signature {
+                    basis { $($axis,)* no, ni }
+                    metric { $($axis^2 = 1,)* no.ni = -1 }
+                    types {
+                        /// A Euclidean vector.
+                        Vector { $($axis),* }
+                        /// A point of weight 1, n_o + **x** + ½**x**² n_∞.
+                        Point { no = 1, $($axis,)* ni }
+                        /// A sphere by its dual vector, of one dimension less than the space; a
+                        /// plane where its weight is zero, a point where its radius is.
+                        Sphere { no, $($axis,)* ni }
+                        /// A translation 1 − ½**v** n_∞, of unit norm.
+                        #[unit]
+                        Translator { 1 = 1, $($axis^ni),* }
+                    }
+                    products { geometric, wedge, scalar_product, sandwich }
                 }
-                products { geometric, wedge, scalar_product, sandwich }
             }
+
+            pub use algebra::*;
         }
 
         impl<T: Field> ConformalSpace<T> for Conformal<$dimension> {

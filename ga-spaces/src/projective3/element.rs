@@ -2,7 +2,7 @@
 
 use ga_core::{Field, Real, Scalar as Ring};
 
-use super::{Direction, IdealBivector, Line, Moment, OriginBivector, Trivector};
+use super::{Bivector, Direction, IdealBivector, Line, Moment, OriginBivector, Trivector};
 
 impl<T: Ring> Line<T> {
     /// The line that joins two points given by homogeneous coordinates; zero where they are the
@@ -40,34 +40,20 @@ impl<T: Field> Trivector<T> {
     ///
     /// At w = 1 it is the origin d₁∧d₂∧d₃ translated.
     pub fn point([x, y, z, w]: [T; 4]) -> Self {
-        let lines = Direction::new(T::ONE, T::ZERO, T::ZERO)
+        let origin = Direction::new(T::ONE, T::ZERO, T::ZERO)
             ^ Direction::new(T::ZERO, T::ONE, T::ZERO)
             ^ Direction::new(T::ZERO, T::ZERO, T::ONE);
-        let generator = IdealBivector::new(-x, -y, -z);
-        let (first, second) = (
-            generator.commutator(lines),
-            generator.commutator(generator.commutator(lines)),
-        );
-        Trivector::from(lines) * (w * w)
-            + Trivector::from(first) * w
-            + Trivector::from(second) * T::from_ratio(1, 2)
+        moved(origin, w, IdealBivector::new(-x, -y, -z).into())
     }
 
     /// The plane with these homogeneous coordinates, quadratic in them: all lines in it.
     ///
     /// At d = 1 it is the plane at infinity m₁∧m₂∧m₃ moved by a perspective.
     pub fn plane([a, b, c, d]: [T; 4]) -> Self {
-        let lines = Moment::new(T::ONE, T::ZERO, T::ZERO)
+        let infinity = Moment::new(T::ONE, T::ZERO, T::ZERO)
             ^ Moment::new(T::ZERO, T::ONE, T::ZERO)
             ^ Moment::new(T::ZERO, T::ZERO, T::ONE);
-        let generator = OriginBivector::new(-a, -b, -c);
-        let (first, second) = (
-            generator.commutator(lines),
-            generator.commutator(generator.commutator(lines)),
-        );
-        Trivector::from(lines) * (d * d)
-            + Trivector::from(first) * d
-            + Trivector::from(second) * T::from_ratio(1, 2)
+        moved(infinity, d, OriginBivector::new(-a, -b, -c).into())
     }
 
     /// The part in the span of the points, those with X = X I; that of the planes has X = −X I.
@@ -108,6 +94,14 @@ impl<T: Real> Trivector<T> {
             [-q.d2m12, q.d1m12, q.d1m13, q.m123],
         ])
     }
+}
+
+/// The family of lines moved by e^{B/2w}, times w²: the power series in B ends with its square,
+/// so the result is quadratic and exists at w = 0.
+fn moved<T: Field>(lines: Trivector<T>, weight: T, generator: Bivector<T>) -> Trivector<T> {
+    let once = generator.commutator(lines);
+    let twice = generator.commutator(once);
+    (lines * weight + once) * weight + twice * T::from_ratio(1, 2)
 }
 
 /// The vector whose products with itself a symmetric matrix of rank one is, up to a factor: the

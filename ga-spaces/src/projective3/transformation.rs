@@ -27,7 +27,7 @@ impl<T: Field> Bivector<T> {
         };
         let linear = [r1, r2, r3].into_iter().enumerate().map(|(i, mut row)| {
             row[i] += weight;
-            Bivector::from(along(i) ^ Moment::new(row[0], row[1], row[2]))
+            along(i) ^ Moment::new(row[0], row[1], row[2])
         });
         let sum = linear.fold(
             Bivector::from(shift) + Bivector::from(perspective),
