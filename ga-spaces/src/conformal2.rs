@@ -140,13 +140,10 @@ impl<T: Real> Dilator<T> {
     }
 }
 
-impl<T: Field> PointPair<T> {
+impl<T: Real> PointPair<T> {
     /// The two points of a∧b, a first (2.57); `None` for an imaginary pair, for one point taken
     /// twice, and where one of the points is at infinity.
-    pub fn split(self) -> Option<[Point<T>; 2]>
-    where
-        T: Real,
-    {
+    pub fn split(self) -> Option<[Point<T>; 2]> {
         let square = self.scalar_product(self);
         if square.all_le(T::ZERO) || !square.is_finite() {
             return None;

@@ -164,7 +164,7 @@ proptest! {
         d in ([-3.0..3.0, -3.0..3.0, -3.0..3.0], -1.0..1.0_f64),
     ) {
         let all = [a, b, c, d];
-        let Contacts::Two(answers) = joined(all).contacts(1e-6) else {
+        let Contacts::Two(answers) = joined(all).contacts(1e-10) else {
             return Ok(());
         };
         for answer in answers {
