@@ -1,77 +1,23 @@
-//! Algorithms on whole algebras: the general inverse and the exponential series.
+//! Algorithms on whole algebras, written once over the traits that generated types implement:
+//! generated code calls them with its own types.
 
-use core::ops::{Add, Sub};
+mod exponential;
+mod inverse;
+mod logarithm;
+mod normalise;
+mod parts;
+mod separation;
+mod series;
+mod split;
+mod square_root;
+mod study;
 
-use crate::ops::{Element, Geometric};
-use crate::{Field, Real, Scalar};
-
-/// The general element whose scalar part is a number.
-fn scalar<M: Element>(value: M::Number) -> M {
-    M::from_fn(|i| {
-        if M::BLADES[i].0.mask() == 0 {
-            value
-        } else {
-            M::Number::ZERO
-        }
-    })
-}
-
-/// Adjugate and determinant of a multivector of an algebra with `blades` basis blades, by the
-/// Faddeev–LeVerrier recursion: A⁻¹ = P / det.
-///
-/// `M` must hold the whole algebra, or an ideal-free subalgebra such as all even elements; its
-/// products may have another type of the same blades.
-pub fn adjugate<M>(a: M, blades: usize) -> (M, M::Number)
-where
-    M: Element + Geometric<M, Output: Into<M>> + Sub<Output = M>,
-    M::Number: Field,
-{
-    let dimension = blades.trailing_zeros();
-    let order = 1_i64 << dimension.div_ceil(2);
-    let mut adjugate = scalar::<M>(M::Number::ONE);
-    let mut power = a;
-    for step in 1..order {
-        let trace = M::Number::from_ratio(order, step) * power.coefficient(crate::Blade::SCALAR);
-        adjugate = power - scalar(trace);
-        power = a.geometric(adjugate).into();
-    }
-    (adjugate, power.coefficient(crate::Blade::SCALAR))
-}
-
-/// The exponential by scaling and squaring: the argument is halved until its coefficients add
-/// up to less than one half, the power series summed to rounding, the sum squared as often.
-///
-/// An argument that is not finite gives a result that is not finite.
-pub fn exponential<M>(a: M) -> M
-where
-    M: Element + Geometric<M, Output: Into<M>> + Geometric<M::Number, Output = M> + Add<Output = M>,
-    M::Number: Real,
-{
-    let half = M::Number::from_ratio(1, 2);
-    let size = |x: &M| (0..M::BLADES.len()).fold(M::Number::ZERO, |sum, i| sum + x.at(i).abs());
-    let mut argument = a;
-    let mut remaining = size(&a);
-    let mut squarings = 0;
-    // Beyond 2^1100 nothing is finite in double precision.
-    while !remaining.all_le(half) && squarings < 1100 {
-        argument = argument.geometric(half);
-        remaining *= half;
-        squarings += 1;
-    }
-    let mut term = scalar::<M>(M::Number::ONE);
-    let mut sum = term;
-    // Metrics with large entries converge later than the coefficients suggest.
-    for step in 1..=200_i64 {
-        let next: M = term.geometric(argument).into();
-        term = next.geometric(M::Number::from_ratio(1, step));
-        sum = sum + term;
-        let negligible = size(&sum) * M::Number::from_f64(1e-18);
-        if step > 4 && size(&term).all_le(negligible) {
-            break;
-        }
-    }
-    for _ in 0..squarings {
-        sum = sum.geometric(sum).into();
-    }
-    sum
-}
+pub use exponential::{bivector_exponential, motor_exponential};
+pub use inverse::adjugate;
+pub use logarithm::{logarithm, motor_logarithm};
+pub use normalise::renormalise;
+pub use parts::{Bivectors, Fourvectors, Parts, Versors};
+pub use series::exponential;
+pub use split::{Split, split};
+pub use square_root::square_root;
+pub use study::Study;

@@ -61,7 +61,7 @@ where
 
 /// The coefficient of a blade in increasing order, stored or fixed.
 #[inline]
-fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number
+pub(crate) fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number
 where
     X::Number: Field,
 {

@@ -9,6 +9,7 @@
 //! }
 //! ```
 
+use crate::algorithm::Split;
 use crate::{Blade, Field, Real, Scalar};
 
 /// A generated type: a list of coefficients, each belonging to a signed basis blade.
@@ -181,11 +182,18 @@ pub trait Inverse: Sized {
 }
 
 /// Logarithms of versors.
+///
+/// The logarithm of the ratio `V2 / V1` generates the motion that takes one versor to the other:
+///
+/// ```ignore
+/// let step = (v2 / v1).log()?;
+/// let between = |t: f64| (step * t).exp() * v1;
+/// ```
 pub trait Logarithm {
     /// The type of the generator.
     type Output;
     /// The principal logarithm of the versor over its norm; `None` where there is no real one
-    /// or it is not unique.
+    /// or it is not unique, and for what is no versor.
     fn log(self) -> Option<Self::Output>;
 }
 
@@ -193,8 +201,26 @@ pub trait Logarithm {
 pub trait SquareRoot: Sized {
     /// The type of the root.
     type Output;
-    /// The principal square root; `None` where there is no real one or it is not unique.
+    /// The principal square root; `None` where there is no real one or it is not unique, and
+    /// for what is no versor.
     fn sqrt(self) -> Option<Self::Output>;
+}
+
+/// Polar normalisation of even elements.
+pub trait Renormalize {
+    /// The type of the versor.
+    type Output;
+    /// The unit versor `X (X X̃)^(−1/2)`, nearest to a versor that rounding has moved; `None`
+    /// where X X̃ has no inverse square root.
+    fn renormalized(self) -> Option<Self::Output>;
+}
+
+/// The split of bivectors into commuting blades (5.5, 5.12).
+pub trait SplitCommuting {
+    /// The type of the blades.
+    type Output;
+    /// Two blades that commute and whose sum is the bivector, where they are unique.
+    fn split_commuting(self) -> Split<Self::Output>;
 }
 
 /// The norm `√|⟨X X̃⟩|`.

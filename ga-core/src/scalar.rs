@@ -64,6 +64,8 @@ pub trait Field: Scalar + Div<Output = Self> + DivAssign {
 pub trait Real: Field {
     /// The circle constant π.
     const PI: Self;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
 
     /// A value given in double precision, rounded to this type.
     fn from_f64(value: f64) -> Self;

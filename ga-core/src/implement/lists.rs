@@ -235,6 +235,85 @@ macro_rules! series_exponential {
     };
 }
 
+/// Exponentials and splits of bivectors: the type, the type of the exponential, and the types of
+/// commuting bivectors and of outer squares.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! bivector_functions {
+    ($algorithm:ident $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal $split:literal) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
+            type Output = $Versor<T>;
+            #[doc = $doc]
+            #[inline]
+            fn exp(self) -> $Versor<T> {
+                $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(self))
+            }
+        }
+        impl<T: $crate::Real> $crate::ops::SplitCommuting for $Name<T> {
+            type Output = $Bivector<T>;
+            #[doc = $split]
+            #[inline]
+            fn split_commuting(self) -> $crate::algorithm::Split<$Bivector<T>> {
+                $crate::algorithm::split::<T, $Bivector<T>, $Fourth<T>>($Bivector::from(self))
+            }
+        }
+    };
+}
+
+/// Logarithms, roots and polar normalisation of even types: the type, the type of its roots, and
+/// the types of its bivectors and four-vectors, which commute if marked so.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! versor_functions {
+    (
+        $logarithm:ident $commuting:ident
+        $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $log:literal $sqrt:literal $normal:literal
+    ) => {
+        impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
+            type Output = $Bivector<T>;
+            #[doc = $log]
+            #[inline]
+            fn log(self) -> ::core::option::Option<$Bivector<T>> {
+                $crate::algorithm::$logarithm::<T, _, $Bivector<T>, $Fourth<T>>(
+                    self,
+                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                )
+            }
+        }
+        impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {
+            type Output = $Versor<T>;
+            #[doc = $sqrt]
+            #[inline]
+            fn sqrt(self) -> ::core::option::Option<$Versor<T>> {
+                $crate::algorithm::square_root::<T, _, $Bivector<T>, $Fourth<T>, _>(
+                    self,
+                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                )
+            }
+        }
+        impl<T: $crate::Real> $crate::ops::Renormalize for $Name<T> {
+            type Output = $Versor<T>;
+            #[doc = $normal]
+            #[inline]
+            fn renormalized(self) -> ::core::option::Option<$Versor<T>> {
+                $crate::algorithm::renormalise::<T, _, $Bivector<T>, $Fourth<T>, _>(
+                    self,
+                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                )
+            }
+        }
+    };
+    (@commuting $Bivector:ident $Fourth:ident) => {
+        |_: $Bivector<T>, _: $Fourth<T>| $Fourth::default()
+    };
+    (@general $Bivector:ident $Fourth:ident) => {
+        |a: $Bivector<T>, b: $Fourth<T>| {
+            let half: $Fourth<T> = $crate::ops::Commutator::commutator(a, b).into();
+            half + half
+        }
+    };
+}
+
 /// Quotients `a b⁻¹`.
 #[doc(hidden)]
 #[macro_export]

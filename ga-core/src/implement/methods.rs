@@ -114,6 +114,25 @@ macro_rules! element_methods {
                 $crate::ops::SquareRoot::sqrt(self)
             }
 
+            /// The unit versor `X (X X̃)^(−1/2)`: removes the drift of rounding from any versor,
+            /// which dividing by the norm does not; `None` where X X̃ has no inverse square root.
+            #[inline]
+            pub fn renormalized(self) -> ::core::option::Option<<Self as $crate::ops::Renormalize>::Output>
+            where
+                Self: $crate::ops::Renormalize,
+            {
+                $crate::ops::Renormalize::renormalized(self)
+            }
+
+            /// The two commuting blades whose sum the bivector is, where they are unique.
+            #[inline]
+            pub fn split_commuting(self) -> $crate::algorithm::Split<<Self as $crate::ops::SplitCommuting>::Output>
+            where
+                Self: $crate::ops::SplitCommuting,
+            {
+                $crate::ops::SplitCommuting::split_commuting(self)
+            }
+
             /// The orthogonal projection `(a ⌋ B) B⁻¹` onto `b` (2.29); non-finite where `b` has
             /// no inverse. Two contractions and an inverse.
             #[inline]

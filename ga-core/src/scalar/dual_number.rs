@@ -141,6 +141,7 @@ fn chain<T: Real>(slope: T, eps: T) -> T {
 
 impl<T: Real> Real for Dual<T> {
     const PI: Self = Dual::constant(T::PI);
+    const EPSILON: Self = Dual::constant(T::EPSILON);
 
     fn from_f64(value: f64) -> Self {
         Dual::constant(T::from_f64(value))

@@ -29,6 +29,7 @@ macro_rules! lanes {
         #[cfg(any(feature = "std", feature = "libm"))]
         impl Real for $lanes {
             const PI: Self = $lanes::new([core::$float::consts::PI; $count]);
+            const EPSILON: Self = $lanes::new([core::primitive::$float::EPSILON; $count]);
 
             fn from_f64(value: f64) -> Self {
                 $lanes::new([value as $float; $count])

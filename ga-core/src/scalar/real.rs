@@ -27,6 +27,7 @@ macro_rules! real {
     ($float:ident) => {
         impl Real for $float {
             const PI: Self = core::$float::consts::PI;
+            const EPSILON: Self = core::primitive::$float::EPSILON;
 
             fn from_f64(value: f64) -> Self {
                 value as $float

@@ -1,10 +1,13 @@
-//! Exponentials, logarithms and square roots where the square of the generator is a scalar;
-//! exponentials of everything else by scaling and squaring.
+//! Exponentials, logarithms and square roots: closed forms where the square of the generator is a
+//! scalar, the functions of commuting planes for other bivectors, a power series for the rest.
+
+mod commuting;
 
 use std::fmt::Write;
 
 use ga_core::Product;
 
+use self::commuting::Planes;
 use super::inverse::parity_type;
 use crate::closure;
 use crate::emit::Generator;
@@ -30,14 +33,26 @@ pub fn exponential(generator: &mut Generator<'_>, a: usize) {
     let scalar_square = square.keys().all(|mask| *mask == 0);
     let poly = square.get(&0).cloned().unwrap_or_default();
     let has_scalar = generator.kind(a).slot(0).is_some();
-    if scalar_square && !has_scalar {
-        closed_exponential(generator, a, &element, &poly);
-    } else {
-        series_exponential(generator, a);
-    }
     let bivector = generator_part.keys().all(|mask| mask.count_ones() == 2);
-    if scalar_square && has_scalar && bivector && !generator_part.is_empty() {
-        rotor_functions(generator, a, &generator_part, &poly);
+    if scalar_square {
+        if has_scalar {
+            series_exponential(generator, a);
+        } else {
+            closed_exponential(generator, a, &element, &poly);
+        }
+        if has_scalar && bivector && !generator_part.is_empty() {
+            rotor_functions(generator, a, &generator_part, &poly);
+        }
+        return;
+    }
+    let planes = Planes::of(generator, a);
+    match planes {
+        Some(planes) if bivector && !has_scalar => planes.bivector_functions(generator, a),
+        Some(planes) if has_scalar => {
+            series_exponential(generator, a);
+            planes.versor_functions(generator, a);
+        }
+        _ => series_exponential(generator, a),
     }
 }
 

@@ -1,0 +1,48 @@
+//! Principal square roots of even versors in up to five dimensions.
+
+use super::parts::{Bivectors, Fourvectors, Parts, Versors};
+use super::separation::Separation;
+use crate::ops::Element;
+use crate::Real;
+
+/// The principal square root h + A/(2h) of a versor `R = c + A`, with the Study number
+/// h = √((1 + c)/2): the normalised 1 + R for a unit versor (2.37, 2.38, 5.11).
+///
+/// Its square is R, norm included. `None` where no real logarithm exists or it is not unique,
+/// and for what is no versor. `commutator` gives R₂R₄ − R₄R₂.
+#[inline]
+pub fn square_root<T, X, A, Q, R>(versor: X, commutator: impl Fn(A, Q) -> Q) -> Option<R>
+where
+    T: Real,
+    X: Element<Number = T>,
+    A: Bivectors<Q, Number = T>,
+    Q: Fourvectors<A, Number = T>,
+    R: Versors<A, Q, Number = T>,
+{
+    let (unit, norm) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
+    let separation = Separation::of(unit);
+    let half = T::from_ratio(1, 2);
+    let [cosine, factor] = separation.evaluate(
+        |above| {
+            let cosine = above.scaled(half).sqrt();
+            [cosine, cosine.inverse().scaled(half)]
+        },
+        |turn| {
+            // 1 + c cancels for negative c; (1 + c)(1 − c) = −A² does not.
+            let quotient = -turn.square / (T::ONE - turn.cosine);
+            let above = turn
+                .cosine
+                .select_le(T::ZERO, quotient, turn.cosine + T::ONE);
+            let cosine = (above * half).sqrt();
+            Some([cosine, half / cosine])
+        },
+    )?;
+    let length = norm.sqrt();
+    Parts {
+        scalar: cosine.scalar * length,
+        bivector: separation.bivector.geometric(factor.scalar * length)
+            + separation.turned.geometric(factor.fourth * length),
+        fourth: separation.fourth.geometric(cosine.fourth * length),
+    }
+    .finite_sum()
+}
