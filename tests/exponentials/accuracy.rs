@@ -3,7 +3,7 @@
 use ga::core::ops::{Element, Exponential, Logarithm, SquareRoot};
 
 use crate::families::families;
-use crate::space::{Space, error, times};
+use crate::space::{Space, error, largest};
 
 /// The worst error of each function, with where it occurred.
 #[derive(Default)]
@@ -15,7 +15,9 @@ impl Worst {
         match self.0.iter_mut().find(|(known, ..)| *known == function) {
             Some(worst) if worst.1 >= ratio => {}
             Some(worst) => *worst = (function, ratio, format!("{error:e} for {kind}")),
-            None => self.0.push((function, ratio, format!("{error:e} for {kind}"))),
+            None => self
+                .0
+                .push((function, ratio, format!("{error:e} for {kind}"))),
         }
     }
 
@@ -47,10 +49,12 @@ where
         let generated = bivector.exp();
         let kind = &sample.kind;
         let found = error(&space.value(&generated), &exponential);
-        worst.note("exp", found, 1e-14, kind);
+        // An angle or rapidity is known to its rounding only.
+        let size = largest(&exact).max(10.0) / 10.0;
+        worst.note("exp", found, 1e-14 * size, kind);
         // The logarithm of the exponential rounded to double precision.
         let versor: R = space.rounded(&exponential);
-        let allowed = 1e-13 + 1e-15 / sample.gap;
+        let allowed = (1e-13 + 1e-15 / sample.gap) * sample.growth.powi(2);
         match versor.log() {
             Some(log) => {
                 let found = error(&space.value(&log), &exact);
@@ -72,8 +76,8 @@ where
             Some(root) => {
                 let root = space.value(&root);
                 worst.note("sqrt", error(&root, &space.exp(&halved)), allowed, kind);
-                let square = error(&times(&root, &root), &space.value(&versor));
-                worst.note("square of sqrt", square, 1e-13, kind);
+                let square = error(&space.times(&root, &root), &space.value(&versor));
+                worst.note("square of sqrt", square, allowed, kind);
             }
             None => worst.note("sqrt", f64::INFINITY, allowed, kind),
         }

@@ -1,7 +1,5 @@
 //! Bivectors of every kind that a metric has, in the frame and turned away from it.
 
-use ga::core::Field;
-
 use crate::space::{Space, Value, largest, times};
 use crate::wide::Wide;
 
@@ -9,6 +7,8 @@ use crate::wide::Wide;
 pub struct Sample {
     pub bivector: Value,
     pub gap: f64,
+    /// How much longer its coefficients are than in the frame: rounding grows with the square.
+    pub growth: f64,
     pub kind: String,
 }
 
@@ -84,7 +84,12 @@ fn single(space: &Space, at: [usize; 2], samples: &mut Vec<Sample>) {
     let mut add = |size: f64, gap: f64| {
         let bivector = plane(space, at).scale(Wide::from(size));
         let kind = format!("{size} of {at:?}");
-        samples.push(Sample { bivector, gap, kind });
+        samples.push(Sample {
+            bivector,
+            gap,
+            growth: 1.0,
+            kind,
+        });
     };
     for size in SIZES {
         add(size, std::f64::consts::PI - size);
@@ -109,6 +114,7 @@ fn double(space: &Space, first: [usize; 2], second: [usize; 2], samples: &mut Ve
         samples.push(Sample {
             bivector: both.expect("the same algebra"),
             gap,
+            growth: 1.0,
             kind: format!("{x} of {first:?} with {y} of {second:?}"),
         });
     };
@@ -117,7 +123,12 @@ fn double(space: &Space, first: [usize; 2], second: [usize; 2], samples: &mut Ve
     let angle = |index: usize, size: f64| if squares[index] < 0.0 { size } else { 0.0 };
     // Two boosts lose the smaller component of their sum and difference, as large numbers do.
     let bounded = squares.iter().all(|&s| s > 0.0);
-    let sizes = || SIZES.into_iter().chain(LARGE).filter(move |&s| !bounded || s <= 3.0);
+    let sizes = || {
+        SIZES
+            .into_iter()
+            .chain(LARGE)
+            .filter(move |&s| !bounded || s <= 3.0)
+    };
     for x in sizes() {
         for y in sizes() {
             let gap = edge - angle(0, x) - angle(1, y);
@@ -165,12 +176,14 @@ fn nearly_null(space: &Space, samples: &mut Vec<Sample>) {
                         samples.push(Sample {
                             bivector: both.expect("the same algebra"),
                             gap: 1.0,
+                            growth: 1.0,
                             kind: format!("{size} of null {away} in {i} {j} {k} with {other:?}"),
                         });
                     }
                     samples.push(Sample {
                         bivector: alone,
                         gap: 1.0,
+                        growth: 1.0,
                         kind: format!("{size} of null {away} in {i} {j} {k}"),
                     });
                 }
@@ -182,21 +195,28 @@ fn nearly_null(space: &Space, samples: &mut Vec<Sample>) {
 /// The samples, and each once more turned by a versor.
 fn turned(space: &Space, samples: Vec<Sample>) -> Vec<Sample> {
     let mut random = Random::new(space.frame.len() as u64 + 17);
+    let versors: Vec<(Value, f64)> = std::iter::repeat_with(|| versor(space, &mut random))
+        .filter_map(|versor| {
+            let growths = space.frame.iter().map(|vector| {
+                let image = versor.apply(vector).expect("an invertible versor");
+                largest(&image) / largest(vector)
+            });
+            let growth = growths.fold(1.0, f64::max);
+            (growth <= 1.5).then_some((versor, growth))
+        })
+        .take(4)
+        .collect();
     let mut all = Vec::new();
-    for sample in samples {
-        for _ in 0..8 {
-            let versor = versor(space, &mut random);
-            let image = versor.apply(&sample.bivector).expect("an invertible versor");
-            let image = image.grade(2);
-            if largest(&image) <= 2.0 * largest(&sample.bivector) {
-                all.push(Sample {
-                    bivector: image,
-                    gap: sample.gap,
-                    kind: format!("{} turned", sample.kind),
-                });
-                break;
-            }
-        }
+    for (sample, (versor, growth)) in samples.into_iter().zip(versors.iter().cycle()) {
+        let image = versor
+            .apply(&sample.bivector)
+            .expect("an invertible versor");
+        all.push(Sample {
+            bivector: image.grade(2),
+            gap: sample.gap,
+            growth: *growth,
+            kind: format!("{} turned", sample.kind),
+        });
         all.push(sample);
     }
     all
@@ -213,7 +233,7 @@ fn versor(space: &Space, random: &mut Random) -> Value {
             vector = vector.add(&term).expect("the same algebra");
         }
         let square = times(&vector, &vector).coefficient(ga::core::Blade::SCALAR);
-        if square.to_f64().abs() > 0.2 && square.is_invertible() {
+        if square.to_f64().abs() > 0.2 {
             product = times(&product, &vector);
             factors += 1;
         }

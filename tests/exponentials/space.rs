@@ -15,6 +15,8 @@ pub struct Space {
     pub name: &'static str,
     pub algebra: Algebra<Wide>,
     pub frame: Vec<Value>,
+    /// The products of basis blades, by their bitmasks.
+    table: Vec<Vec<(usize, Wide)>>,
 }
 
 impl Space {
@@ -30,7 +32,9 @@ impl Space {
                     let given: Vec<Wide> = given.iter().map(|&x| Wide::from(x)).collect();
                     algebra.vector(&given).expect("all components")
                 }
-                None => algebra.blade(Blade::new(1 << i), Wide::ONE).expect("a vector"),
+                None => algebra
+                    .blade(Blade::new(1 << i), Wide::ONE)
+                    .expect("a vector"),
             };
             for other in &frame {
                 let square = inner(other, other);
@@ -50,12 +54,30 @@ impl Space {
             }
         };
         let frame = frame.iter().map(unit).collect();
-        Space { name, algebra, frame }
+        let blades = 1_u32 << count;
+        let blade = |mask: u32| algebra.blade(Blade::new(mask), Wide::ONE).expect("a blade");
+        let product = |a: u32, b: u32| -> Vec<(usize, Wide)> {
+            let terms = times(&blade(a), &blade(b)).terms();
+            let terms = terms
+                .into_iter()
+                .map(|(blade, c)| (blade.mask() as usize, c));
+            terms.collect()
+        };
+        let rows = (0..blades).flat_map(|a| (0..blades).map(move |b| (a, b)));
+        let table = rows.map(|(a, b)| product(a, b)).collect();
+        Space {
+            name,
+            algebra,
+            frame,
+            table,
+        }
     }
 
     /// The sign of the square of a vector of the frame.
     pub fn sign(&self, index: usize) -> f64 {
-        inner(&self.frame[index], &self.frame[index]).to_f64().round()
+        inner(&self.frame[index], &self.frame[index])
+            .to_f64()
+            .round()
     }
 
     /// A generated value.
@@ -93,12 +115,30 @@ impl Space {
         let mut sum = one.clone();
         for n in (1..=26).rev() {
             let factor = Wide::ONE / Wide::from(f64::from(n));
-            sum = times(&small, &sum).scale(factor).add(&one).expect("the same algebra");
+            sum = self
+                .times(&small, &sum)
+                .scale(factor)
+                .add(&one)
+                .expect("the same algebra");
         }
         for _ in 0..halvings {
-            sum = times(&sum, &sum);
+            sum = self.times(&sum, &sum);
         }
         sum
+    }
+
+    /// The geometric product, by the table.
+    pub fn times(&self, a: &Value, b: &Value) -> Value {
+        let (a, b) = (a.coefficients(), b.coefficients());
+        let mut product = vec![Wide::ZERO; a.len()];
+        for (i, &x) in a.iter().enumerate().filter(|(_, x)| **x != Wide::ZERO) {
+            for (j, &y) in b.iter().enumerate().filter(|(_, y)| **y != Wide::ZERO) {
+                for &(blade, factor) in &self.table[i * b.len() + j] {
+                    product[blade] += x * y * factor;
+                }
+            }
+        }
+        self.algebra.from_coefficients(product).expect("all blades")
     }
 }
 

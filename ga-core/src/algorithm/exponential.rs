@@ -8,9 +8,8 @@ use crate::{Dual, Real};
 /// The exponential `C(a + W) + S(a + W) B` of a bivector with `B² = a + W` (2.62 for Study
 /// numbers).
 ///
-/// Exact to a few roundings for every finite result, whatever the planes of the bivector: null,
-/// nearly null, isoclinic. Angles past 10¹⁵ are not known to any digit in double precision, and
-/// the result says nothing about them.
+/// Exact to the rounding of the bivector, whatever its planes: null, nearly null, isoclinic. Not
+/// finite where the fourth power of a coefficient overflows.
 #[inline]
 pub fn bivector_exponential<T, A, Q, R>(bivector: A) -> R
 where
@@ -20,13 +19,17 @@ where
     R: Versors<A, Q, Number = T>,
 {
     let outer: Q = outer_square(bivector);
-    let square = Study {
-        scalar: bivector.scalar_product(bivector),
-        fourth: T::ONE,
-        square: outer.scalar_product(outer),
-    };
-    let (cosh, sinhc) = square.cosh_sinhc();
-    assembled(bivector, outer, [cosh.scalar, cosh.fourth], [sinhc.scalar, sinhc.fourth])
+    let (square, outer_square) = (
+        bivector.scalar_product(bivector),
+        outer.scalar_product(outer),
+    );
+    let (cosh, sinhc) = Study::cosh_sinhc(square, outer_square);
+    assembled(
+        bivector,
+        outer,
+        [cosh.scalar, cosh.fourth],
+        [sinhc.scalar, sinhc.fourth],
+    )
 }
 
 /// The exponential of a bivector with `W² = 0`, as generators of motors are: the same on dual

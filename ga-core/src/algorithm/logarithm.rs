@@ -1,7 +1,7 @@
 //! Principal logarithms of even versors in up to five dimensions.
 
-use super::parts::{Bivectors, Fourvectors, Parts, finite};
-use super::separation::Separation;
+use super::parts::{Bivectors, Fourvectors, Parts, finite, outer_square, turned};
+use super::separation::{Separation, Values};
 use super::study::Study;
 use crate::ops::Element;
 use crate::{Dual, Real};
@@ -22,14 +22,23 @@ where
     let (unit, _) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
     let separation = Separation::of(unit);
     let half = T::from_ratio(1, 2);
-    let [factor] = separation.evaluate(
-        |above| [Study::log_factor(above.scaled(half).sqrt())],
-        |turn| turn.cosine.log_factor(turn.square).map(|factor| [factor]),
+    let logarithm = separation.evaluate(
+        |above| {
+            let factor = Study::log_factor(above.scaled(half).sqrt());
+            Values {
+                even: factor,
+                factor,
+            }
+        },
+        |turn| {
+            let factor = turn.cosine.log_factor(turn.square)?;
+            Some(Values {
+                even: factor,
+                factor,
+            })
+        },
     )?;
-    finite(
-        separation.bivector.geometric(factor.scalar)
-            + separation.turned.geometric(factor.fourth),
-    )
+    finite(logarithm.bivector)
 }
 
 /// The logarithm of a versor whose four-vector part squares to zero, as that of a motor does:
@@ -46,11 +55,21 @@ where
     let Separation {
         cosine,
         bivector,
-        turned,
+        fourth,
+        turned: image,
+        near,
         ..
     } = Separation::of(unit);
     let square = bivector.scalar_product(bivector);
     let sine = Dual::new(square, cosine.scalar + cosine.scalar);
     let factor = Dual::new(cosine.scalar, T::ONE).log_factor(sine)?;
-    finite(bivector.geometric(factor.re) + turned.geometric(factor.eps))
+    let logarithm = bivector.geometric(factor.re) + image.geometric(factor.eps);
+    if T::ZERO.all_le(near) {
+        return finite(logarithm);
+    }
+    // Near −1 the two terms are large and nearly cancel in the part that B∧B = 2f V knows.
+    let square = logarithm.scalar_product(logarithm);
+    let missing = fourth.geometric(factor.re + factor.re) - outer_square(logarithm);
+    let share = near.select_le(T::ZERO, T::from_ratio(1, 2) / square, T::ZERO);
+    finite(logarithm + turned(missing, logarithm).geometric(share))
 }

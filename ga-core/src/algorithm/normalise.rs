@@ -77,9 +77,8 @@ where
     pub(super) fn unit(self, commutator: impl Fn(A, Q) -> Q) -> Option<(Self, T)> {
         let norm = self.norm_squared(commutator);
         let squares = |x: T| x * x;
-        let size = squares(self.scalar)
-            + sum_of(&self.bivector, squares)
-            + sum_of(&self.fourth, squares);
+        let size =
+            squares(self.scalar) + sum_of(&self.bivector, squares) + sum_of(&self.fourth, squares);
         let rounding = size * T::EPSILON * T::from_integer(ROUNDINGS);
         let rest = sum_of(&norm.fourth, T::abs);
         let deviation = (norm.scalar - T::ONE).abs() + rest;

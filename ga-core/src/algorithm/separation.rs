@@ -21,7 +21,9 @@ pub(super) struct Separation<T, A, Q> {
     /// V A.
     pub turned: A,
     /// Not above zero where one turn is near π and the other is not.
-    pub margin: T,
+    margin: T,
+    /// Not above zero near −1.
+    pub near: T,
 }
 
 /// One of the two components of a versor: the cosine of its turn and minus the square of its
@@ -30,6 +32,21 @@ pub(super) struct Separation<T, A, Q> {
 pub(super) struct Turn<T> {
     pub cosine: T,
     pub square: T,
+}
+
+/// The values of g and f.
+#[derive(Clone, Copy)]
+pub(super) struct Values<N> {
+    pub even: N,
+    pub factor: N,
+}
+
+/// g + f A.
+pub(super) struct Evaluated<T, A> {
+    /// g.
+    pub even: Study<T>,
+    /// f A.
+    pub bivector: A,
 }
 
 impl<T, A, Q> Separation<T, A, Q>
@@ -50,9 +67,8 @@ where
         // Near −1 the bivector knows V better than V itself: A∧A = 2⟨R⟩V.
         let near = square.abs() + scalar * half;
         let factor = half / scalar;
-        let fourth = Q::from_fn(|i| {
-            near.select_le(T::ZERO, outer.at(i) * factor, unit.fourth.at(i))
-        });
+        let fourth =
+            Q::from_fn(|i| near.select_le(T::ZERO, outer.at(i) * factor, unit.fourth.at(i)));
         let cosine = Study {
             scalar,
             fourth: T::ONE,
@@ -69,12 +85,15 @@ where
             fourth,
             turned: turned(fourth, bivector),
             margin: Self::margin(above),
+            near,
         }
     }
 
     /// Not above zero where 1 + c has one small and one larger real component.
     fn margin(above: Study<T>) -> T {
-        let root = above.square.select_le(T::ZERO, T::ZERO, above.square.sqrt());
+        let root = above
+            .square
+            .select_le(T::ZERO, T::ZERO, above.square.sqrt());
         let spread = above.fourth.abs() * root;
         let (low, high) = (above.scalar - spread, above.scalar + spread);
         let small = low - T::from_ratio(1, 4);
@@ -83,61 +102,79 @@ where
         root.select_le(T::ZERO, T::ONE, larger)
     }
 
-    /// Evaluates a function of the versor: by `series` on Study numbers, or where one turn is near
-    /// π by `closed` on each of both turns.
+    /// Evaluates `g + f A` for functions g and f of the Study number c: by `series`, or where one
+    /// turn is near π by `closed` on each of both turns.
     #[inline]
-    pub fn evaluate<const N: usize>(
+    pub fn evaluate(
         &self,
-        series: impl FnOnce(Study<T>) -> [Study<T>; N],
-        closed: impl Fn(Turn<T>) -> Option<[T; N]>,
-    ) -> Option<[Study<T>; N]> {
+        series: impl FnOnce(Study<T>) -> Values<Study<T>>,
+        closed: impl Fn(Turn<T>) -> Option<Values<T>>,
+    ) -> Option<Evaluated<T, A>> {
         if T::ZERO.all_le(self.margin) {
-            return Some(series(self.above));
+            return Some(self.together(series(self.above)));
         }
         let root = self.cosine.square.sqrt();
-        let [plus, minus] = self.turns(root);
+        let components = self.components(root);
         if self.margin.all_le(T::ZERO) {
-            return Some(joined(self.cosine, root, closed(plus)?, closed(minus)?));
+            let values = [closed(components[0].1)?, closed(components[1].1)?];
+            return Some(self.apart(root, components, values));
         }
         // Some lanes are near the edge: both ways, and a harmless turn for the other lanes.
         let harmless = |turn: Turn<T>| Turn {
             cosine: self.margin.select_le(T::ZERO, turn.cosine, T::ONE),
             square: self.margin.select_le(T::ZERO, turn.square, T::ZERO),
         };
-        let (plus, minus) = (closed(harmless(plus))?, closed(harmless(minus))?);
-        let apart = joined(self.cosine, root, plus, minus);
-        let together = series(self.above);
-        Some(core::array::from_fn(|i| {
-            apart[i].select_le(self.margin, T::ZERO, together[i])
-        }))
-    }
-
-    /// The components ½(1 ± V/|V|) of the versor.
-    fn turns(&self, root: T) -> [Turn<T>; 2] {
-        let unit = self.turned.geometric(T::ONE / root);
-        let half = T::from_ratio(1, 2);
-        [T::ONE, -T::ONE].map(|sign| {
-            let component = self.bivector + unit.geometric(sign);
-            Turn {
-                cosine: self.cosine.scalar + sign * root,
-                square: component.scalar_product(component) * half,
-            }
+        let turns = components.map(|(_, turn)| harmless(turn));
+        let values = [closed(turns[0])?, closed(turns[1])?];
+        let apart = self.apart(root, components, values);
+        let together = self.together(series(self.above));
+        Some(Evaluated {
+            even: apart.even.select_le(self.margin, T::ZERO, together.even),
+            bivector: A::from_fn(|i| {
+                let (apart, together) = (apart.bivector.at(i), together.bivector.at(i));
+                self.margin.select_le(T::ZERO, apart, together)
+            }),
         })
     }
-}
 
-/// The Study numbers with these values on the two components.
-fn joined<T: Real, const N: usize>(
-    cosine: Study<T>,
-    root: T,
-    plus: [T; N],
-    minus: [T; N],
-) -> [Study<T>; N] {
-    let half = T::from_ratio(1, 2);
-    core::array::from_fn(|i| {
-        cosine.with(
-            (plus[i] + minus[i]) * half,
-            (plus[i] - minus[i]) * half / root,
-        )
-    })
+    /// The components ½(1 ± V/|V|) A of the bivector, with their turns.
+    fn components(&self, root: T) -> [(A, Turn<T>); 2] {
+        let half = T::from_ratio(1, 2);
+        let image = self.turned.geometric(half / root);
+        [T::ONE, -T::ONE].map(|sign| {
+            let component = self.bivector.geometric(half) + image.geometric(sign);
+            let square = component.scalar_product(component);
+            let turn = Turn {
+                cosine: self.cosine.scalar + sign * root,
+                square: square + square,
+            };
+            (component, turn)
+        })
+    }
+
+    /// g + f A from values on Study numbers.
+    fn together(&self, values: Values<Study<T>>) -> Evaluated<T, A> {
+        let Values { even, factor } = values;
+        Evaluated {
+            even,
+            bivector: self.bivector.geometric(factor.scalar) + self.turned.geometric(factor.fourth),
+        }
+    }
+
+    /// g + f A from values on the two components.
+    fn apart(
+        &self,
+        root: T,
+        [(one, _), (other, _)]: [(A, Turn<T>); 2],
+        [plus, minus]: [Values<T>; 2],
+    ) -> Evaluated<T, A> {
+        let half = T::from_ratio(1, 2);
+        Evaluated {
+            even: self.cosine.with(
+                (plus.even + minus.even) * half,
+                (plus.even - minus.even) * half / root,
+            ),
+            bivector: one.geometric(plus.factor) + other.geometric(minus.factor),
+        }
+    }
 }

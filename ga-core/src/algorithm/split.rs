@@ -43,7 +43,11 @@ where
     let zero = bivector.geometric(T::ZERO);
     if (0..Q::BLADES.len()).all(|i| outer.at(i) == T::ZERO) {
         let negative = square.all_le(T::ZERO) && square != T::ZERO;
-        let blades = if negative { [zero, bivector] } else { [bivector, zero] };
+        let blades = if negative {
+            [zero, bivector]
+        } else {
+            [bivector, zero]
+        };
         return match finite(bivector) {
             Some(_) => Split::Blades(blades),
             None => Split::NotFinite,

@@ -1,9 +1,9 @@
 //! Principal square roots of even versors in up to five dimensions.
 
 use super::parts::{Bivectors, Fourvectors, Parts, Versors};
-use super::separation::Separation;
-use crate::ops::Element;
+use super::separation::{Separation, Values};
 use crate::Real;
+use crate::ops::Element;
 
 /// The principal square root h + A/(2h) of a versor `R = c + A`, with the Study number
 /// h = √((1 + c)/2): the normalised 1 + R for a unit versor (2.37, 2.38, 5.11).
@@ -22,10 +22,13 @@ where
     let (unit, norm) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
     let separation = Separation::of(unit);
     let half = T::from_ratio(1, 2);
-    let [cosine, factor] = separation.evaluate(
+    let root = separation.evaluate(
         |above| {
             let cosine = above.scaled(half).sqrt();
-            [cosine, cosine.inverse().scaled(half)]
+            Values {
+                even: cosine,
+                factor: cosine.inverse().scaled(half),
+            }
         },
         |turn| {
             // 1 + c cancels for negative c; (1 + c)(1 − c) = −A² does not.
@@ -34,15 +37,17 @@ where
                 .cosine
                 .select_le(T::ZERO, quotient, turn.cosine + T::ONE);
             let cosine = (above * half).sqrt();
-            Some([cosine, half / cosine])
+            Some(Values {
+                even: cosine,
+                factor: half / cosine,
+            })
         },
     )?;
     let length = norm.sqrt();
     Parts {
-        scalar: cosine.scalar * length,
-        bivector: separation.bivector.geometric(factor.scalar * length)
-            + separation.turned.geometric(factor.fourth * length),
-        fourth: separation.fourth.geometric(cosine.fourth * length),
+        scalar: root.even.scalar * length,
+        bivector: root.bivector.geometric(length),
+        fourth: separation.fourth.geometric(root.even.fourth * length),
     }
     .finite_sum()
 }

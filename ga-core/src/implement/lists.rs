@@ -246,7 +246,9 @@ macro_rules! bivector_functions {
             #[doc = $doc]
             #[inline]
             fn exp(self) -> $Versor<T> {
-                $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(self))
+                $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(
+                    self,
+                ))
             }
         }
         impl<T: $crate::Real> $crate::ops::SplitCommuting for $Name<T> {

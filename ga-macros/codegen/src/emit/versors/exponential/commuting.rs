@@ -50,7 +50,9 @@ struct Costs {
 
 /// The grade-`k` part of a general element.
 fn part(element: &Element, grade: u32) -> Element {
-    let own = element.iter().filter(|(mask, _)| mask.count_ones() == grade);
+    let own = element
+        .iter()
+        .filter(|(mask, _)| mask.count_ones() == grade);
     own.map(|(mask, poly)| (*mask, poly.clone())).collect()
 }
 
@@ -89,7 +91,10 @@ impl Planes {
             let turned = generator
                 .tables
                 .product(Product::Inner, &of_fourth, &of_bivector);
-            if part(&turned, 2).keys().all(|mask| of_bivector.contains_key(mask)) {
+            if part(&turned, 2)
+                .keys()
+                .all(|mask| of_bivector.contains_key(mask))
+            {
                 return Self::within(generator, bivector, fourth);
             }
             bivectors.extend(part(&turned, 2));
@@ -217,7 +222,11 @@ impl Planes {
             " The unit versor `X (X X̃)^(−1/2)`, free of the drift of rounding.{normal} Two \
              divisions and two roots."
         );
-        let commuting = if self.commuting { "commuting" } else { "general" };
+        let commuting = if self.commuting {
+            "commuting"
+        } else {
+            "general"
+        };
         let types = self.types(generator, a);
         let _ = writeln!(
             generator.source,
