@@ -3,6 +3,7 @@
 use alloc::format;
 use core::fmt;
 
+use crate::algorithm::rounding_of;
 use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
 use crate::{Blade, Field, Real, Scalar};
 
@@ -258,11 +259,17 @@ fn term(
 
 /// The norm of `R = c + X` from `c` and the scalar X², with X² handed through; `None` where
 /// R R̃ is not a positive number.
+///
+/// It is 1 where R R̃ is 1 up to the rounding of its terms: of a large boost, R R̃ is a small
+/// difference of large numbers and says less than that.
 #[inline]
 pub fn polar<T: Real>(scalar: T, square: T) -> Option<(T, T)> {
     let norm_squared = scalar * scalar - square;
+    let rounding = rounding_of(scalar * scalar + square.abs());
+    let distance = (norm_squared - T::ONE).abs();
+    let norm_squared = distance.select_le(rounding, norm_squared.at_value(T::ONE), norm_squared);
     let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
-    (positive && norm_squared.is_finite()).then(|| (norm_squared.sqrt(), square))
+    (positive && rounding.is_finite()).then(|| (norm_squared.sqrt(), square))
 }
 
 /// The scalar part of √R and the factor of X in it, for `R = c + X`: `(R + |R|) f` with

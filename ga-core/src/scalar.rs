@@ -69,6 +69,9 @@ pub trait Real: Field {
 
     /// A value given in double precision, rounded to this type.
     fn from_f64(value: f64) -> Self;
+    /// The number `value` with the derivatives of this one: `value` itself, except for
+    /// [`Dual`] numbers.
+    fn at_value(self, value: Self) -> Self;
     /// The absolute value.
     fn abs(self) -> Self;
     /// The square root; of a negative value not a number, as in `f64`.

@@ -199,7 +199,7 @@ fn turned(space: &Space, samples: Vec<Sample>) -> Vec<Sample> {
         .filter_map(|versor| {
             let growths = space.frame.iter().map(|vector| {
                 let image = versor.apply(vector).expect("an invertible versor");
-                largest(&image) / largest(vector)
+                largest(&image)
             });
             let growth = growths.fold(1.0, f64::max);
             (growth <= 1.5).then_some((versor, growth))

@@ -3,7 +3,7 @@
 
 use ga::core::dense::{Algebra, Dense};
 use ga::core::ops::Element;
-use ga::core::{Blade, Field, Metric, Scalar};
+use ga::core::{Blade, Field, Metric, Real, Scalar};
 
 use crate::wide::Wide;
 
@@ -81,10 +81,10 @@ impl Space {
     }
 
     /// A generated value.
-    pub fn value<X: Element<Number = f64>>(&self, x: &X) -> Value {
+    pub fn value<X: Element<Number: Into<f64>>>(&self, x: &X) -> Value {
         let mut all = self.algebra.zero().coefficients().to_vec();
         for (i, (blade, sign)) in X::BLADES.iter().enumerate() {
-            all[blade.mask() as usize] = Wide::from(x.at(i) * f64::from(*sign));
+            all[blade.mask() as usize] = Wide::from(x.at(i).into() * f64::from(*sign));
         }
         for (blade, sign, numerator, denominator) in X::FIXED {
             let fixed = f64::from(*sign) * *numerator as f64 / *denominator as f64;
@@ -94,10 +94,10 @@ impl Space {
     }
 
     /// The generated value nearest to one of the oracle; other blades are dropped.
-    pub fn rounded<X: Element<Number = f64>>(&self, value: &Value) -> X {
+    pub fn rounded<X: Element<Number: Real>>(&self, value: &Value) -> X {
         X::from_fn(|i| {
             let (blade, sign) = X::BLADES[i];
-            value.coefficient(blade).to_f64() * f64::from(sign)
+            X::Number::from_f64(value.coefficient(blade).to_f64() * f64::from(sign))
         })
     }
 

@@ -14,7 +14,7 @@ use crate::{Dual, Real};
 pub fn bivector_exponential<T, A, Q, R>(bivector: A) -> R
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {
@@ -38,7 +38,7 @@ where
 pub fn motor_exponential<T, A, Q, R>(bivector: A) -> R
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {
@@ -53,7 +53,7 @@ where
 fn assembled<T, A, Q, R>(bivector: A, outer: Q, cosh: [T; 2], sinhc: [T; 2]) -> R
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {

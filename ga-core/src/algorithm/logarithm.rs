@@ -1,5 +1,6 @@
 //! Principal logarithms of even versors in up to five dimensions.
 
+use super::normalise::Commutators;
 use super::parts::{Bivectors, Fourvectors, Parts, finite, outer_square, turned};
 use super::separation::{Separation, Values};
 use super::study::Study;
@@ -10,16 +11,20 @@ use crate::{Dual, Real};
 /// `R = c + A`, c = ⟨R⟩ + ⟨R⟩₄ a Study number and f(cosh z) = z / sinh z.
 ///
 /// Its turns are |θ₁| + |θ₂| ≤ π. `None` where no real logarithm exists, where it is not unique
-/// (R = −1), and for what is no versor. `commutator` gives R₂R₄ − R₄R₂.
+/// (R = −1), and for what is no versor. `commutators` are of
+/// the parts of R.
 #[inline]
-pub fn logarithm<T, X, A, Q>(versor: X, commutator: impl Fn(A, Q) -> Q) -> Option<A>
+pub fn logarithm<T, X, A, Q>(
+    versor: X,
+    commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+) -> Option<A>
 where
     T: Real,
     X: Element<Number = T>,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
+    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
     let separation = Separation::of(unit);
     let half = T::from_ratio(1, 2);
     let logarithm = separation.evaluate(
@@ -44,14 +49,17 @@ where
 /// The logarithm of a versor whose four-vector part squares to zero, as that of a motor does:
 /// the same on dual numbers, where the factor has a closed form.
 #[inline]
-pub fn motor_logarithm<T, X, A, Q>(versor: X, commutator: impl Fn(A, Q) -> Q) -> Option<A>
+pub fn motor_logarithm<T, X, A, Q>(
+    versor: X,
+    commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+) -> Option<A>
 where
     T: Real,
     X: Element<Number = T>,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
+    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
     let Separation {
         cosine,
         bivector,

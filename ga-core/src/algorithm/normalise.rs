@@ -1,34 +1,59 @@
-//! The versor nearest to an even element: X (X X̃)^(−1/2).
+//! The versor nearest to an even element: (X X̃)^(−1/2) X.
 
 use super::parts::{Bivectors, Fourvectors, Parts, Versors, outer_square, sum_of, turned};
 use super::study::Study;
-use crate::Real;
+use crate::ops::{self, Element};
+use crate::{Field, Real, Scalar};
 
-/// How many roundings of its terms X X̃ may be away from 1 for X to be taken as a unit versor.
-const ROUNDINGS: i64 = 64;
 /// The part of X X̃ that is no number, against the number, that is taken for drift.
 const DRIFT: f64 = 1e-6;
 
-/// X (X X̃)^(−1/2) of an even element in up to five dimensions: a unit versor; `None` where
+/// How bivectors and four-vectors fail to commute: only in five dimensions and if they are not
+/// parts of one versor.
+#[derive(Clone, Copy)]
+pub struct Commutators<F, G> {
+    /// (A V − V A)/2 of a bivector and a four-vector.
+    pub planes: F,
+    /// (V V′ − V′ V)/2 of two four-vectors.
+    pub fourths: G,
+}
+
+/// (X X̃)^(−1/2) X of an even element in up to five dimensions: a unit versor; `None` where
 /// X X̃ has no inverse square root.
 ///
-/// `commutator` gives X₂X₄ − X₄X₂ of the bivector and the four-vector part.
+/// `commutators` are of the bivector and the four-vector part.
 #[inline]
-pub fn renormalise<T, X, A, Q, R>(element: X, commutator: impl Fn(A, Q) -> Q) -> Option<R>
+pub fn renormalise<T, X, A, Q, R>(
+    element: X,
+    commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+) -> Option<R>
 where
     T: Real,
-    X: crate::ops::Element<Number = T>,
-    A: Bivectors<Q, Number = T>,
+    X: Element<Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {
     let parts = Parts::<T, A, Q>::of(element);
-    let norm = parts.norm_squared(commutator);
-    parts.over_root(norm).finite_sum()
+    let norm = parts.norm_squared(&commutators);
+    parts.over_root(norm, &commutators).finite_sum()
+}
+
+/// An element whose X X̃ is a number, over its norm; `None` where that is no positive number.
+#[inline]
+pub fn over_norm<X>(element: X) -> Option<X>
+where
+    X: Element<Number: Real>
+        + ops::NormSquared<Output = X::Number>
+        + ops::Geometric<X::Number, Output = X>,
+{
+    let norm = element.norm_squared().sqrt();
+    let exists = norm.is_invertible() && norm.is_finite();
+    exists.then(|| element.geometric(X::Number::ONE / norm))
 }
 
 /// X X̃ as a number and a four-vector.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct NormSquared<T, Q> {
     scalar: T,
     fourth: Q,
@@ -37,33 +62,44 @@ struct NormSquared<T, Q> {
 impl<T, A, Q> Parts<T, A, Q>
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
     /// X X̃ = x₀² − X₂² + X₄² + 2x₀X₄ + (X₂X₄ − X₄X₂).
-    fn norm_squared(&self, commutator: impl Fn(A, Q) -> Q) -> NormSquared<T, Q> {
+    fn norm_squared<G>(
+        &self,
+        commutators: &Commutators<impl Fn(A, Q) -> Q, G>,
+    ) -> NormSquared<T, Q> {
         let (x, plane, fourth) = (self.scalar, self.bivector, self.fourth);
         let scalar = x * x - plane.scalar_product(plane) + fourth.scalar_product(fourth);
         let outer: Q = outer_square(plane);
-        let fourth = fourth.geometric(x + x) - outer + commutator(plane, fourth);
+        let half = fourth.geometric(x) + (commutators.planes)(plane, fourth);
+        let fourth = half + half - outer;
         NormSquared { scalar, fourth }
     }
 
-    /// X over the square root of X X̃.
-    fn over_root(self, norm: NormSquared<T, Q>) -> Self {
+    /// X over the square root of X X̃, from the left.
+    fn over_root(
+        self,
+        norm: NormSquared<T, Q>,
+        commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+    ) -> Self {
         let square = Study {
             scalar: norm.scalar,
             fourth: T::ONE,
             square: norm.fourth.scalar_product(norm.fourth),
         };
         let factor = square.sqrt().inverse();
+        let (own, image) = (factor.scalar, factor.fourth);
         let turned = turned(norm.fourth, self.bivector);
+        let turned = turned + (commutators.fourths)(norm.fourth, self.fourth);
+        let beside =
+            norm.fourth.geometric(self.scalar) - (commutators.planes)(self.bivector, norm.fourth);
         let product = norm.fourth.scalar_product(self.fourth);
         Parts {
-            scalar: self.scalar * factor.scalar + product * factor.fourth,
-            bivector: self.bivector.geometric(factor.scalar) + turned.geometric(factor.fourth),
-            fourth: self.fourth.geometric(factor.scalar)
-                + norm.fourth.geometric(self.scalar * factor.fourth),
+            scalar: self.scalar * own + product * image,
+            bivector: self.bivector.geometric(own) + turned.geometric(image),
+            fourth: self.fourth.geometric(own) + beside.geometric(image),
         }
     }
 
@@ -74,34 +110,42 @@ where
     /// difference of large numbers, and says less about its norm than the promise to be unit.
     /// A part of R R̃ that is no number but less than a millionth of it is drift, and removed.
     #[inline]
-    pub(super) fn unit(self, commutator: impl Fn(A, Q) -> Q) -> Option<(Self, T)> {
-        let norm = self.norm_squared(commutator);
+    pub(super) fn unit(
+        self,
+        commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+    ) -> Option<(Self, T)> {
+        let norm = self.norm_squared(commutators);
         let squares = |x: T| x * x;
         let size =
             squares(self.scalar) + sum_of(&self.bivector, squares) + sum_of(&self.fourth, squares);
-        let rounding = size * T::EPSILON * T::from_integer(ROUNDINGS);
+        let rounding = rounding_of(size);
+        if !rounding.is_finite() {
+            return None;
+        }
         let rest = sum_of(&norm.fourth, T::abs);
         let deviation = (norm.scalar - T::ONE).abs() + rest;
-        if deviation.all_le(rounding) {
+        let is_unit =
+            |value: T, expected: T| deviation.select_le(rounding, value.at_value(expected), value);
+        let exact = NormSquared {
+            scalar: is_unit(norm.scalar, T::ONE),
+            fourth: Q::from_fn(|i| is_unit(norm.fourth.at(i), T::ZERO)),
+        };
+        if exact.scalar == T::ONE && sum_of(&exact.fourth, T::abs) == T::ZERO {
             return Some((self, T::ONE));
         }
         let drift = norm.scalar * T::from_f64(DRIFT);
         if !(rest.all_le(drift + rounding) && norm.scalar.is_invertible()) {
             return None;
         }
-        let unit = self.over_root(norm);
-        let length = deviation.select_le(rounding, T::ONE, norm.scalar.sqrt());
-        length.is_finite().then(|| {
-            let parts = Parts {
-                scalar: deviation.select_le(rounding, self.scalar, unit.scalar),
-                bivector: A::from_fn(|i| {
-                    deviation.select_le(rounding, self.bivector.at(i), unit.bivector.at(i))
-                }),
-                fourth: Q::from_fn(|i| {
-                    deviation.select_le(rounding, self.fourth.at(i), unit.fourth.at(i))
-                }),
-            };
-            (parts, length)
-        })
+        let length = exact.scalar.sqrt();
+        length
+            .is_finite()
+            .then(|| (self.over_root(exact, commutators), length))
     }
+}
+
+/// How far X X̃ may be from 1 by rounding, for squares of coefficients that add up to `size`.
+#[inline]
+pub(crate) fn rounding_of<T: Real>(size: T) -> T {
+    size * T::EPSILON * T::from_integer(64)
 }

@@ -19,35 +19,35 @@ pub(super) fn scalar<M: Element>(value: M::Number) -> M {
     })
 }
 
-/// A type that holds bivectors, with their outer squares in `Q`.
+/// A type that holds bivectors.
 ///
 /// It may store other grades too, as the type of all even elements does; they are zero here.
-pub trait Bivectors<Q>:
+pub trait Bivectors:
     Element
     + Geometric<Self::Number, Output = Self>
     + ScalarProduct<Self, Output = Self::Number>
-    + Wedge<Self, Output: Into<Q>>
+    + Wedge<Self, Output: Element<Number = Self::Number>>
     + Add<Output = Self>
     + Sub<Output = Self>
 {
 }
 
-impl<Q, A> Bivectors<Q> for A where
+impl<A> Bivectors for A where
     A: Element
         + Geometric<Self::Number, Output = Self>
         + ScalarProduct<Self, Output = Self::Number>
-        + Wedge<Self, Output: Into<Q>>
+        + Wedge<Self, Output: Element<Number = Self::Number>>
         + Add<Output = Self>
         + Sub<Output = Self>
 {
 }
 
-/// A type that holds four-vectors, whose inner products with bivectors are bivectors of `A`.
+/// A type that holds four-vectors, which have inner products with bivectors of `A`.
 pub trait Fourvectors<A>:
     Element
     + Geometric<Self::Number, Output = Self>
     + ScalarProduct<Self, Output = Self::Number>
-    + Inner<A, Output: Into<A>>
+    + Inner<A, Output: Element<Number = Self::Number>>
     + Add<Output = Self>
     + Sub<Output = Self>
 {
@@ -57,7 +57,7 @@ impl<A, Q> Fourvectors<A> for Q where
     Q: Element
         + Geometric<Self::Number, Output = Self>
         + ScalarProduct<Self, Output = Self::Number>
-        + Inner<A, Output: Into<A>>
+        + Inner<A, Output: Element<Number = Q::Number>>
         + Add<Output = Self>
         + Sub<Output = Self>
 {
@@ -79,22 +79,39 @@ pub struct Parts<T, A, Q> {
     pub fourth: Q,
 }
 
+/// The part of one grade, as a type that holds it.
+#[inline]
+pub(super) fn part<M, Part>(element: M, grade: u32) -> Part
+where
+    M: Element<Number: Real>,
+    Part: Element<Number = M::Number>,
+{
+    convert::grade(convert::pick(element), grade)
+}
+
 /// The outer square A∧A of a bivector.
 #[inline]
-pub(super) fn outer_square<A: Bivectors<Q>, Q: Element>(bivector: A) -> Q {
-    convert::grade(bivector.wedge(bivector).into(), 4)
+pub(super) fn outer_square<A: Bivectors<Number: Real>, Q>(bivector: A) -> Q
+where
+    Q: Element<Number = A::Number>,
+{
+    part(bivector.wedge(bivector), 4)
 }
 
 /// The product V A of a four-vector and a bivector that commute: a bivector.
 #[inline]
-pub(super) fn turned<A: Element, Q: Fourvectors<A>>(fourth: Q, bivector: A) -> A {
-    convert::grade(fourth.inner(bivector).into(), 2)
+pub(super) fn turned<A, Q>(fourth: Q, bivector: A) -> A
+where
+    A: Element<Number = Q::Number>,
+    Q: Fourvectors<A, Number: Real>,
+{
+    part(fourth.inner(bivector), 2)
 }
 
 impl<T, A, Q> Parts<T, A, Q>
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
     /// The parts of an element; other grades are dropped.
@@ -102,8 +119,8 @@ where
     pub fn of<R: Element<Number = T>>(versor: R) -> Self {
         Parts {
             scalar: convert::coefficient(&versor, Blade::SCALAR),
-            bivector: convert::grade(convert::pick(versor), 2),
-            fourth: convert::grade(convert::pick(versor), 4),
+            bivector: part(versor, 2),
+            fourth: part(versor, 4),
         }
     }
 

@@ -52,7 +52,7 @@ pub(super) struct Evaluated<T, A> {
 impl<T, A, Q> Separation<T, A, Q>
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
     /// Looks at a unit versor.
@@ -65,7 +65,8 @@ where
         let square = bivector.scalar_product(bivector);
         let outer: Q = outer_square(bivector);
         // Near −1 the bivector knows V better than V itself: A∧A = 2⟨R⟩V.
-        let near = square.abs() + scalar * half;
+        let (short, opposed) = (square.abs() - half * half, scalar + half);
+        let near = (short - opposed).select_le(T::ZERO, opposed, short);
         let factor = half / scalar;
         let fourth =
             Q::from_fn(|i| near.select_le(T::ZERO, outer.at(i) * factor, unit.fourth.at(i)));

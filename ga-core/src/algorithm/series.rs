@@ -7,7 +7,7 @@ use crate::ops::{Element, Geometric};
 use crate::{Field, Real, Scalar};
 
 /// The exponential by scaling and squaring: the argument is halved until its coefficients add
-/// up to less than one half, the power series summed to rounding, the sum squared as often.
+/// up to no more than four, the power series summed to rounding, the sum squared as often.
 ///
 /// An argument that is not finite gives a result that is not finite.
 pub fn exponential<M>(a: M) -> M
@@ -21,7 +21,7 @@ where
     let mut remaining = size(&a);
     let mut squarings = 0;
     // Beyond 2^1100 nothing is finite in double precision.
-    while !remaining.all_le(half) && squarings < 1100 {
+    while !remaining.all_le(M::Number::from_integer(4)) && squarings < 1100 {
         argument = argument.geometric(half);
         remaining *= half;
         squarings += 1;

@@ -3,14 +3,17 @@
 use super::parts::{Bivectors, Fourvectors, finite, outer_square, turned};
 use crate::Real;
 
+/// How many roundings the squares of two blades are apart for the blades to be told apart.
+const ROUNDINGS: i64 = 1024;
+
 /// What a bivector consists of, in the order of the squares of the blades.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Split<B> {
     /// The one pair of commuting blades whose sum it is, the one of larger square first. A
     /// bivector that is a blade itself has zero as the other one.
     Blades([B; 2]),
-    /// Both blades have the same square, as those of an isoclinic rotation: there is a circle of
-    /// such pairs or more, and none is distinguished.
+    /// Both blades have the same square up to a thousand roundings, as those of an isoclinic
+    /// rotation: there is a circle of such pairs or more, and none is distinguished.
     Isoclinic,
     /// There are no real ones; only where at least two basis vectors have positive and two have
     /// negative squares.
@@ -34,7 +37,7 @@ impl<B> Split<B> {
 pub fn split<T, A, Q>(bivector: A) -> Split<A>
 where
     T: Real,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
     let outer: Q = outer_square(bivector);
@@ -53,12 +56,21 @@ where
             None => Split::NotFinite,
         };
     }
-    let radicand = square * square - product;
+    let turned: A = turned(outer, bivector);
+    let radicand = if product.all_le(T::ZERO) {
+        square * square - product
+    } else {
+        // (a + |W|)(a − |W|), of which one cancels; the squares of the components do not.
+        let image = turned.geometric(T::ONE / product.sqrt());
+        let (plus, minus) = (bivector + image, bivector - image);
+        let squares = plus.scalar_product(plus) * minus.scalar_product(minus);
+        squares * T::from_ratio(1, 4)
+    };
     if !radicand.is_finite() {
         return Split::NotFinite;
     }
-    let rounding = square * square * T::EPSILON * T::from_integer(4);
-    if radicand.abs().all_le(rounding) {
+    let rounding = square * T::EPSILON * T::from_integer(ROUNDINGS);
+    if radicand.abs().all_le(rounding * rounding) {
         return Split::Isoclinic;
     }
     if radicand.all_le(T::ZERO) {
@@ -69,7 +81,6 @@ where
     // The sum that does not cancel; the other square follows from x y = W²/4.
     let large = square.select_le(T::ZERO, square - root, square + root) * half;
     let small = product * T::from_ratio(1, 4) / large;
-    let turned = turned(outer, bivector);
     let of_large = bivector.geometric(large + large) - turned;
     let of_small = turned - bivector.geometric(small + small);
     let factor = half / (large - small);

@@ -1,5 +1,6 @@
 //! Principal square roots of even versors in up to five dimensions.
 
+use super::normalise::Commutators;
 use super::parts::{Bivectors, Fourvectors, Parts, Versors};
 use super::separation::{Separation, Values};
 use crate::Real;
@@ -9,17 +10,21 @@ use crate::ops::Element;
 /// h = √((1 + c)/2): the normalised 1 + R for a unit versor (2.37, 2.38, 5.11).
 ///
 /// Its square is R, norm included. `None` where no real logarithm exists or it is not unique,
-/// and for what is no versor. `commutator` gives R₂R₄ − R₄R₂.
+/// and for what is no versor. `commutators` are of
+/// the parts of R.
 #[inline]
-pub fn square_root<T, X, A, Q, R>(versor: X, commutator: impl Fn(A, Q) -> Q) -> Option<R>
+pub fn square_root<T, X, A, Q, R>(
+    versor: X,
+    commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+) -> Option<R>
 where
     T: Real,
     X: Element<Number = T>,
-    A: Bivectors<Q, Number = T>,
+    A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {
-    let (unit, norm) = Parts::<T, A, Q>::of(versor).unit(commutator)?;
+    let (unit, norm) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
     let separation = Separation::of(unit);
     let half = T::from_ratio(1, 2);
     let root = separation.evaluate(

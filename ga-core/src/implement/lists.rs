@@ -262,6 +262,22 @@ macro_rules! bivector_functions {
     };
 }
 
+/// Polar normalisation of types whose `X X̃` is a number.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! renormalization {
+    ($Name:ident $doc:literal) => {
+        impl<T: $crate::Real> $crate::ops::Renormalize for $Name<T> {
+            type Output = $Name<T>;
+            #[doc = $doc]
+            #[inline]
+            fn renormalized(self) -> ::core::option::Option<$Name<T>> {
+                $crate::algorithm::over_norm(self)
+            }
+        }
+    };
+}
+
 /// Logarithms, roots and polar normalisation of even types: the type, the type of its roots, and
 /// the types of its bivectors and four-vectors, which commute if marked so.
 #[doc(hidden)]
@@ -306,12 +322,19 @@ macro_rules! versor_functions {
         }
     };
     (@commuting $Bivector:ident $Fourth:ident) => {
-        |_: $Bivector<T>, _: $Fourth<T>| $Fourth::default()
+        $crate::algorithm::Commutators {
+            planes: |_: $Bivector<T>, _: $Fourth<T>| $Fourth::default(),
+            fourths: |_: $Fourth<T>, _: $Fourth<T>| $Bivector::default(),
+        }
     };
     (@general $Bivector:ident $Fourth:ident) => {
-        |a: $Bivector<T>, b: $Fourth<T>| {
-            let half: $Fourth<T> = $crate::ops::Commutator::commutator(a, b).into();
-            half + half
+        $crate::algorithm::Commutators {
+            planes: |a: $Bivector<T>, b: $Fourth<T>| -> $Fourth<T> {
+                $crate::convert::pick($crate::ops::Commutator::commutator(a, b))
+            },
+            fourths: |a: $Fourth<T>, b: $Fourth<T>| -> $Bivector<T> {
+                $crate::convert::pick($crate::ops::Commutator::commutator(a, b))
+            },
         }
     };
 }

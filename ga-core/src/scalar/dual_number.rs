@@ -147,6 +147,10 @@ impl<T: Real> Real for Dual<T> {
         Dual::constant(T::from_f64(value))
     }
 
+    fn at_value(self, value: Self) -> Self {
+        Dual::new(self.re.at_value(value.re), self.eps)
+    }
+
     fn abs(self) -> Self {
         let eps = self.re.select_le(T::ZERO, -self.eps, self.eps);
         Dual::new(self.re.abs(), eps)

@@ -35,6 +35,10 @@ macro_rules! lanes {
                 $lanes::new([value as $float; $count])
             }
 
+            fn at_value(self, value: Self) -> Self {
+                value
+            }
+
             fn abs(self) -> Self {
                 $lanes::abs(self)
             }

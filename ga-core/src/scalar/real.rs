@@ -33,6 +33,10 @@ macro_rules! real {
                 value as $float
             }
 
+            fn at_value(self, value: Self) -> Self {
+                value
+            }
+
             fn abs(self) -> Self {
                 core::primitive::$float::abs(self)
             }

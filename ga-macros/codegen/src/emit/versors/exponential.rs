@@ -189,6 +189,17 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
         scale(a, part, "c"),
     );
     generator.source.push_str(&text);
+    let cost = Kernel::expanded(vec![super::norm_polynomial(generator, a)]).cost()
+        + Cost::multiplying(fields);
+    let doc = format!(
+        " The versor over its norm; `None` where `X X̃` is no positive number.{} A division and a \
+         root.",
+        expression::cost_sentence(Some(cost))
+    );
+    let _ = writeln!(
+        generator.source,
+        "algebra::renormalization! {{ {name} {doc:?} }}"
+    );
 }
 
 /// `log` and `sqrt` of `1 + X` with `X² = 0`: the scalar part is fixed, and both are exact.

@@ -69,10 +69,7 @@ impl Planes {
         if !element.keys().all(grades_fit) {
             return None;
         }
-        Self::smallest(generator, element).or_else(|| {
-            let even = generator.model.type_named("Even")?;
-            Self::within(generator, even, even)
-        })
+        Self::smallest(generator, element)
     }
 
     /// The smallest types whose products stay among them.
@@ -102,7 +99,7 @@ impl Planes {
         None
     }
 
-    /// These types, if the products that the functions use are in them.
+    /// These types, if four-vectors square to numbers.
     fn within(generator: &Generator<'_>, bivector: usize, fourth: usize) -> Option<Planes> {
         let count = |index: usize| generator.kind(index).slots.len();
         let largest = count(bivector) * count(bivector).max(count(fourth));
@@ -113,21 +110,11 @@ impl Planes {
             let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
             generator.tables.product(product, left, right)
         };
-        // A product that vanishes has the type of numbers.
-        let fits = |element: &Element, index: usize| {
-            let vanishes = element.is_empty() && generator.kind(index).slot(0).is_none();
-            !vanishes && closure::holds(generator.kind(index), element)
-        };
         let outer = product(Product::Wedge, bivector, bivector);
         let turned = product(Product::Inner, fourth, bivector);
         let commutator = product(Product::Commutator, bivector, fourth);
-        let commuting = commutator.is_empty();
-        if !fits(&outer, fourth) || !fits(&turned, bivector) {
-            return None;
-        }
-        if !commuting && !fits(&commutator, fourth) {
-            return None;
-        }
+        let others = product(Product::Commutator, fourth, fourth);
+        let commuting = commutator.is_empty() && others.is_empty();
         let mut all = generator.general[bivector][0].clone();
         all.extend(generator.general[fourth][0].clone());
         // Any variable polynomial marks the scalar as free.
@@ -151,7 +138,11 @@ impl Planes {
                     multiplications: 2 * width,
                     additions: width,
                 },
-                norm: cost(&outer) + cost(&plane) + cost(&square) + cost(&commutator),
+                norm: cost(&outer)
+                    + cost(&plane)
+                    + cost(&square)
+                    + cost(&commutator)
+                    + cost(&others),
             },
         })
     }
