@@ -59,7 +59,7 @@ pub fn space(name: &'static str, p: usize, q: usize, r: usize) -> Space {
 /// The geometry of four oblique vectors.
 fn four_oblique() -> Space {
     let gram = [[2, 1, 0, 0], [1, 3, 1, 0], [0, 1, 2, 1], [0, 0, 1, -2]];
-    let gram = gram.map(|row| row.map(|x| Rational::from(x)).to_vec());
+    let gram = gram.map(|row| row.map(Rational::from).to_vec());
     let metric = Metric::new(["a", "b", "c", "d"], gram.to_vec()).expect("symmetric");
     Space::new("oblique", &metric, &[])
 }

@@ -16,6 +16,10 @@ where
     let mut unique = 0;
     for sample in families(space) {
         let bivector: B = space.rounded(&sample.bivector);
+        // Not in the type: a part of the bivector is dropped.
+        if error(&space.value(&bivector), &sample.bivector) > 1e-15 {
+            continue;
+        }
         let Split::Blades([first, second]) = bivector.split_commuting() else {
             continue;
         };
@@ -42,7 +46,12 @@ where
         );
         for square in squares {
             let rest = largest(&square.grade(4));
-            assert!(rest <= allowed * scale * scale, "{}: {rest:e}", sample.kind);
+            assert!(
+                rest <= allowed * scale * scale,
+                "{} {}: {rest:e}",
+                space.name,
+                sample.kind
+            );
         }
     }
     assert!(unique > 100, "{unique} in {}", space.name);

@@ -57,8 +57,9 @@ where
         };
     }
     let turned: A = turned(outer, bivector);
-    let radicand = if product.all_le(T::ZERO) {
-        square * square - product
+    let (doubled, apart) = (product + product, square * square - product);
+    let radicand = if doubled.all_le(square * square) {
+        apart
     } else {
         // (a + |W|)(a − |W|), of which one cancels; the squares of the components do not.
         let image = turned.geometric(T::ONE / product.sqrt());
