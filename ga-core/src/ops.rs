@@ -183,12 +183,8 @@ pub trait Inverse: Sized {
 
 /// Logarithms of versors.
 ///
-/// The logarithm of the ratio `V2 / V1` generates the motion that takes one versor to the other:
-///
-/// ```ignore
-/// let step = (v2 / v1).log()?;
-/// let between = |t: f64| (step * t).exp() * v1;
-/// ```
+/// The logarithm of a ratio, `(v2 / v1).log()`, generates the motion that takes one versor to the
+/// other: `(step * t).exp() * v1` leads from the first at t = 0 to the second at t = 1.
 pub trait Logarithm {
     /// The type of the generator.
     type Output;

@@ -54,7 +54,7 @@ where
             );
         }
     }
-    assert!(unique > 100, "{unique} in {}", space.name);
+    assert!(unique > 50, "{unique} in {}", space.name);
 }
 
 #[test]
