@@ -25,10 +25,21 @@
 #![no_std]
 
 mod algebra;
-mod flat;
+pub mod classify;
+pub mod direction;
+pub mod flat;
 pub mod interop;
-mod round;
+pub mod round;
+pub mod tangent;
 mod versor;
 
 pub use algebra::cga3;
 pub use algebra::cga3::*;
+pub use classify::{
+    Classification, Obstacle, Shape, Tolerance, classify, classify_dual, classify_dual_within,
+    classify_within,
+};
+pub use direction::Direction;
+pub use flat::Flat;
+pub use round::{CircleOrLine, Degenerate, Round, SphereOrPlane, SplitPair};
+pub use tangent::Tangent;

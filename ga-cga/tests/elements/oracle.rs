@@ -1,0 +1,111 @@
+//! Plain vector geometry with nalgebra, which shares no code with what it judges, and random
+//! positions.
+
+use ga_cga::{Point, Vector3};
+use ga_core::Element;
+use nalgebra as na;
+
+/// A linear congruential generator: the same numbers on every machine.
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        random.signed();
+        random
+    }
+
+    /// Uniform in [−1, 1).
+    pub fn signed(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Uniform in a cube of this half edge.
+    pub fn position(&mut self, reach: f64) -> na::Vector3<f64> {
+        na::Vector3::from_fn(|_, _| reach * self.signed())
+    }
+
+    /// A vector of length 1.
+    pub fn direction(&mut self) -> na::Vector3<f64> {
+        loop {
+            let vector = self.position(1.0);
+            let length = vector.norm();
+            if (0.1..=1.0).contains(&length) {
+                return vector / length;
+            }
+        }
+    }
+}
+
+pub fn vector(v: na::Vector3<f64>) -> Vector3 {
+    Vector3::new(v.x, v.y, v.z)
+}
+
+pub fn plain(v: Vector3) -> na::Vector3<f64> {
+    na::Vector3::from(v.to_array())
+}
+
+pub fn point(x: na::Vector3<f64>) -> Point {
+    Point::from(vector(x))
+}
+
+/// Equal to a relative error against the larger of 1 and the expected length.
+#[track_caller]
+pub fn close(found: Vector3, expected: na::Vector3<f64>, relative: f64) {
+    let miss = (plain(found) - expected).norm();
+    let bound = relative * (1.0 + expected.norm());
+    assert!(miss <= bound, "{found} is not {expected}: {miss:e} off");
+}
+
+/// Equal to a relative error against the larger of 1 and the expected value.
+#[track_caller]
+pub fn near(found: f64, expected: f64, relative: f64, what: &str) {
+    let miss = (found - expected).abs();
+    let bound = relative * (1.0 + expected.abs());
+    assert!(
+        miss <= bound,
+        "{what}: {found} is not {expected}: {miss:e} off"
+    );
+}
+
+/// The largest coefficient.
+pub fn size<X: Element<Number = f64>>(x: X) -> f64 {
+    (0..X::BLADES.len()).fold(0.0, |size, i| x.at(i).abs().max(size))
+}
+
+/// The largest difference of coefficients.
+pub fn distance<X: Element<Number = f64>>(x: X, y: X) -> f64 {
+    (0..X::BLADES.len()).fold(0.0, |size, i| (x.at(i) - y.at(i)).abs().max(size))
+}
+
+/// Centre and radius of the circle through three positions, from the equations of the
+/// perpendicular bisectors and of the plane.
+pub fn circumcircle(
+    a: na::Vector3<f64>,
+    b: na::Vector3<f64>,
+    c: na::Vector3<f64>,
+) -> (na::Vector3<f64>, f64) {
+    let (u, v) = (b - a, c - a);
+    let rows = na::Matrix3::from_rows(&[u.transpose(), v.transpose(), u.cross(&v).transpose()]);
+    let right = na::Vector3::new(u.norm_squared() / 2.0, v.norm_squared() / 2.0, 0.0);
+    let from_a = rows.full_piv_lu().solve(&right).expect("not collinear");
+    (a + from_a, from_a.norm())
+}
+
+/// Centre and radius of the sphere through four positions.
+pub fn circumsphere(
+    a: na::Vector3<f64>,
+    b: na::Vector3<f64>,
+    c: na::Vector3<f64>,
+    d: na::Vector3<f64>,
+) -> (na::Vector3<f64>, f64) {
+    let edges = [b - a, c - a, d - a];
+    let rows = na::Matrix3::from_rows(&edges.map(|edge| edge.transpose()));
+    let right = na::Vector3::from(edges.map(|edge| edge.norm_squared() / 2.0));
+    let from_a = rows.full_piv_lu().solve(&right).expect("not coplanar");
+    (a + from_a, from_a.norm())
+}
