@@ -29,7 +29,8 @@
 //! # Tolerance
 //! [`Tolerance`] has a relative part τ, 256 roundings by default (5.7e−14 in `f64`), and the
 //! length that counts as ordinary, 1 by default. Multiplying an element by a number changes
-//! nothing. With S the larger of that length and the distance and size of the element:
+//! nothing. Where elements were computed from much larger or more distant ones, give the size of
+//! those as the length. With S the larger of that length and the distance and size of the element:
 //! a round with |r²| ≤ τ S² is a tangent (a radius of 2.4e−7 at the origin, of 0.24 at a
 //! distance of 10⁶); one with a radius above S/τ is flat; a flat farther than 1/τ lengths away
 //! is a direction; a part that is not factorable, relative to the whole at the scale S, above τ

@@ -35,7 +35,8 @@ where
     })
 }
 
-/// The sizes of the four parts of an element against n_o and n_∞.
+/// The sizes of the four parts of an element against n_o and n_∞, in units of the ordinary
+/// length.
 struct Parts<T> {
     /// With n_o, without n_∞: there in rounds alone.
     origin: T,
@@ -76,24 +77,24 @@ impl<T: Real> Parts<T> {
 
     /// Whether n_o is there by rounding only: the round would be larger than its distance from
     /// the origin by more than the tolerance can tell.
-    fn is_flat(&self, tolerance: Tolerance<T>) -> bool {
-        let (middle, tau) = (self.middle(), tolerance.relative);
-        let reach = larger(tolerance.length * middle, self.infinity);
+    fn is_flat(&self, tau: T) -> bool {
+        let middle = self.middle();
+        let reach = larger(middle, self.infinity);
         // Without an attitude only a part that vanishes against the square is neglected.
         let infinite = tau * tau * self.infinity;
         self.origin == T::ZERO
             || (middle.is_invertible() && (self.origin * reach).all_le(tau * middle * middle))
-            || (self.origin * tolerance.length * tolerance.length).all_le(infinite)
+            || self.origin.all_le(infinite)
     }
 
     /// Whether the attitude of a flat is there by rounding only.
-    fn is_direction(&self, tolerance: Tolerance<T>) -> bool {
-        (self.middle() * tolerance.length).all_le(tolerance.relative * self.infinity)
+    fn is_direction(&self, tau: T) -> bool {
+        self.middle().all_le(tau * self.infinity)
     }
 
     /// The distance and size of a flat or round that the parts tell, at least the ordinary
     /// length.
-    fn reach(&self, tolerance: Tolerance<T>) -> T {
+    fn reach(&self) -> T {
         let middle = self.middle();
         let ratio = |a: T, b: T| if b.is_invertible() { a / b } else { T::ZERO };
         let reach = if self.origin == T::ZERO {
@@ -104,7 +105,7 @@ impl<T: Real> Parts<T> {
                 ratio(self.infinity, self.origin).sqrt(),
             )
         };
-        larger(tolerance.length, reach)
+        larger(T::ONE, reach)
     }
 }
 
@@ -119,6 +120,7 @@ pub(super) fn decide<T: Real>(
             None => Classification::NotFinite,
         };
     };
+    let x = in_units_of(x, tolerance.length);
     let bound = length(x) * tolerance.relative;
     let mut present = (0..=5).filter(|k| !length(grade(x, *k)).all_le(bound));
     match (present.next(), present.next()) {
@@ -158,23 +160,23 @@ where
     X: Element<Number: Real>,
 {
     let tau = tolerance.relative;
-    let Some(x) = within_range(element) else {
+    let Some(x) = within_range(in_units_of(element, tolerance.length)) else {
         return Family::NotFactorable;
     };
     let mut parts = Parts::of(x);
     let mut x = x;
-    if parts.is_flat(tolerance) {
+    if parts.is_flat(tau) {
         parts.origin = X::Number::ZERO;
         x = X::from_fn(|position| match dimension(X::BLADES[position].0) {
             -1 => X::Number::ZERO,
             _ => x.at(position),
         });
-        if parts.is_direction(tolerance) {
+        if parts.is_direction(tau) {
             return Family::Direction;
         }
     }
     let flat = parts.origin == X::Number::ZERO;
-    let x = within_range(in_units_of(x, parts.reach(tolerance))).unwrap_or(x);
+    let x = within_range(in_units_of(x, parts.reach())).unwrap_or(x);
     let size = length(x);
     if !excess(x).all_le(tau * size * size) {
         return Family::NotFactorable;

@@ -19,8 +19,8 @@ use super::range::epsilon;
 pub struct Tolerance<T> {
     /// The relative error τ of coefficients of equal dimension.
     pub relative: T,
-    /// The length that counts as ordinary: rounding is assumed to have happened to numbers of
-    /// this size even where those left over are smaller.
+    /// The length that counts as ordinary, the size of the scene: rounding is assumed to have
+    /// happened to distances of this size even where those left over are smaller.
     pub length: T,
 }
 

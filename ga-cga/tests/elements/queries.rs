@@ -235,7 +235,7 @@ fn flats_and_directions_come_back_from_their_queries() {
         assert_eq!(dual.attitude(), plane.attitude());
         let distance = dual.distance_from_origin().expect("a plane");
         let again = DualPlane::at_distance(dual.normal() / dual.weight(), distance);
-        assert!(oracle::distance(dual / dual.weight(), DualPlane::from(again)) <= 1e-12 * 20.0);
+        assert!(oracle::distance(dual / dual.weight(), again) <= 1e-12 * 20.0);
 
         let flat: FlatPoint = FlatPoint::at(at) * heavy;
         assert!(flat.location().expect("a place").distance(at) < 1e-14);
