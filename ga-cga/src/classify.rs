@@ -40,7 +40,7 @@
 //! On SIMD lanes a condition holds when it holds in every lane; classify lanes one by one where
 //! they differ.
 
-mod decide;
+pub(crate) mod decide;
 pub(crate) mod range;
 mod shape;
 mod tolerance;

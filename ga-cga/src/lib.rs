@@ -28,6 +28,7 @@ mod algebra;
 pub mod classify;
 pub mod direction;
 pub mod flat;
+pub mod incidence;
 pub mod interop;
 pub mod round;
 pub mod tangent;

@@ -4,6 +4,12 @@
 mod classification;
 #[path = "elements/construction.rs"]
 mod construction;
+#[path = "elements/incidence.rs"]
+mod incidence;
+#[path = "elements/measures.rs"]
+mod measures;
+#[path = "elements/odd_input.rs"]
+mod odd_input;
 #[path = "elements/oracle.rs"]
 mod oracle;
 #[path = "elements/queries.rs"]

@@ -74,3 +74,22 @@ where
     }
     sum.sqrt() * divisor
 }
+
+/// The largest power of two that is not larger than a positive number, so that dividing by it
+/// rounds nothing; 1 for zero and for what is not finite. On lanes one that fits the largest.
+pub(crate) fn power_of_two<T: Real>(size: T) -> T {
+    if !size.is_invertible() {
+        return T::ONE;
+    }
+    let mut power = T::ONE;
+    for step in [1_i64 << 16, 2] {
+        let (up, down) = (T::from_integer(step), T::from_ratio(1, step));
+        while !size.all_le(power * up) {
+            power *= up;
+        }
+        while (size * up).all_le(power) {
+            power *= down;
+        }
+    }
+    power
+}

@@ -1,14 +1,16 @@
 //! The answers of a classification.
 
+use ga_core::Scalar;
+use ga_core::convert::pick;
+
 use crate::cga3::{
-    Circle, DirectionBivector, DirectionVector, FlatPoint, Line, Multivector, Plane, Point,
-    PointPair, Sphere,
+    Circle, DirectionBivector, DirectionVector, DualSphere, FlatPoint, Line, Multivector, Plane,
+    Point, PointPair, Sphere,
 };
 use crate::direction::Direction;
 use crate::flat::Flat;
 use crate::round::Round;
 use crate::tangent::Tangent;
-use ga_core::Scalar;
 
 /// What a multivector is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,6 +172,63 @@ impl<T: ga_core::Field> From<Shape<T>> for Multivector<T> {
     }
 }
 
+impl<T: ga_core::Real> Classification<T> {
+    /// The image under a map that keeps the kind of the element, as motions and scalings do.
+    pub(crate) fn map(self, image: impl Fn(Multivector<T>) -> Multivector<T>) -> Self {
+        match self {
+            Classification::Direct(shape) => Classification::Direct(shape.map(image)),
+            Classification::Dual(shape) => Classification::Dual(shape.map(image)),
+            other => other,
+        }
+    }
+}
+
+impl<T: ga_core::Real> Shape<T> {
+    fn map(self, image: impl Fn(Multivector<T>) -> Multivector<T>) -> Self {
+        macro_rules! moved {
+            ($x:expr) => {
+                pick(image(Multivector::from($x)))
+            };
+        }
+        let round = |round| match round {
+            Round::PointPair(pair) => Round::PointPair(moved!(pair)),
+            Round::Circle(circle) => Round::Circle(moved!(circle)),
+            Round::Sphere(sphere) => Round::Sphere(moved!(sphere)),
+        };
+        match self {
+            Shape::RealRound(real) => Shape::RealRound(round(real)),
+            Shape::ImaginaryRound(imaginary) => Shape::ImaginaryRound(round(imaginary)),
+            Shape::Tangent(tangent) => Shape::Tangent(match tangent {
+                Tangent::Point { point, weight } => {
+                    let moved: DualSphere<T> = moved!(point * weight);
+                    Tangent::Point {
+                        point: moved.center().unwrap_or(point),
+                        weight: moved.weight(),
+                    }
+                }
+                Tangent::Vector(pair) => Tangent::Vector(moved!(pair)),
+                Tangent::Bivector(circle) => Tangent::Bivector(moved!(circle)),
+                Tangent::Trivector(sphere) => Tangent::Trivector(moved!(sphere)),
+            }),
+            Shape::Flat(flat) => Shape::Flat(match flat {
+                Flat::Point(point) => Flat::Point(moved!(point)),
+                Flat::Line(line) => Flat::Line(moved!(line)),
+                Flat::Plane(plane) => Flat::Plane(moved!(plane)),
+                Flat::Space(space) => Flat::Space(moved!(space)),
+            }),
+            Shape::Direction(direction) => Shape::Direction(match direction {
+                Direction::Infinity(weight) => {
+                    let moved: DualSphere<T> = moved!(infinity(weight));
+                    Direction::Infinity(moved.ni)
+                }
+                Direction::Vector(vector) => Direction::Vector(moved!(vector)),
+                Direction::Bivector(bivector) => Direction::Bivector(moved!(bivector)),
+                Direction::Trivector(trivector) => Direction::Trivector(moved!(trivector)),
+            }),
+        }
+    }
+}
+
 fn infinity<T: Scalar>(weight: T) -> Multivector<T> {
-    Multivector::from(crate::cga3::DualSphere::infinity() * weight)
+    Multivector::from(DualSphere::infinity() * weight)
 }

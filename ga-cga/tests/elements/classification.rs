@@ -194,7 +194,7 @@ fn noise_is_forgiven() {
         let shift = Translator::by(vector(random.position(30.0)));
         let back = shift.reverse();
         let within = |x: Multivector| classify_within(x, Tolerance::relative(1e-11));
-        let there = |x: Multivector| -> Multivector { back.apply(shift.apply(x)).into() };
+        let there = |x: Multivector| -> Multivector { back.apply(shift.apply(x)) };
         let on_line = a + (b - a) * random.signed();
         let straight: Circle = point(a) ^ point(on_line) ^ point(b);
         // Nearly coincident points leave little but rounding of their product.

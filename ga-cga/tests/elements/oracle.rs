@@ -5,6 +5,8 @@ use ga_cga::{Point, Vector3};
 use ga_core::Element;
 use nalgebra as na;
 
+pub type Position = na::Vector3<f64>;
+
 /// A linear congruential generator: the same numbers on every machine.
 pub struct Random(u64);
 
@@ -108,4 +110,15 @@ pub fn circumsphere(
     let right = na::Vector3::from(edges.map(|edge| edge.norm_squared() / 2.0));
     let from_a = rows.full_piv_lu().solve(&right).expect("not coplanar");
     (a + from_a, from_a.norm())
+}
+
+/// A place up to 10⁶ from the origin.
+pub fn place(random: &mut Random) -> Position {
+    let far = 10_f64.powf(6.0 * random.signed().abs());
+    random.direction() * far
+}
+
+/// How much worse than near the origin results are allowed to be at a place, for flats.
+pub fn rounding(place: Position) -> f64 {
+    1e-14 * (1.0 + place.norm())
 }
