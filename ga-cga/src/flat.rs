@@ -66,7 +66,7 @@ macro_rules! nearest_location {
 
 nearest_location!(FlatPoint Line Plane);
 
-/// The part of an element that a smaller type stores, where the rest is zero by construction.
+/// The attitude from n_∞⌋X: its negative, in the type that stores all of it that is not zero.
 fn attitude<Wide, Narrow>(contraction: Wide) -> Narrow
 where
     Wide: ga_core::Element<Number: Real> + core::ops::Neg<Output = Wide>,

@@ -19,8 +19,53 @@
 //! assert!((Point::at(0.0, -1.0, 0.0) ^ circle).norm() < 1e-15);
 //! ```
 //!
-//! Accuracy: coefficients are stored in the null basis, where the coordinates of a point keep
-//! full precision at any distance from the origin.
+//! # The elements, from the ground up
+//! **A point is a vector that squares to zero**, and a vector that does not is a sphere with its
+//! squared radius in the square ([`round`]). Spheres and planes ([`DualSphere`], [`DualPlane`])
+//! are the mirrors that everything else is made of.
+//!
+//! **The outer product spans.** Two points span a pair, three a circle, four a sphere; with the
+//! point at infinity n_∞ among them, a flat point, a line, a plane ([`flat`]). The product of
+//! points that coincide or are in line says so: constructors answer with what the points do
+//! determine.
+//!
+//! ```
+//! use ga_cga::{Circle, Point, Vector3};
+//!
+//! let [a, b, c] = [Point::at(3.0, 0.0, 1.0), Point::at(0.0, 3.0, 1.0), Point::at(-3.0, 0.0, 1.0)];
+//! let circle = Circle::through(a, b, c).unwrap().circle().unwrap();
+//! assert_eq!(circle.center(), Some(Point::at(0.0, 0.0, 1.0)));
+//! assert_eq!(circle.radius_squared(), Some(9.0));
+//! ```
+//!
+//! **Duals describe the same element by what is at right angles to it.** The dual A* = A I⁻¹ of a
+//! sphere is the vector that names its centre; the dual of a line generates the rotations about
+//! it. Products of duals intersect, (A*∧B*)⁻* (2.25), and [`incidence::meet`] does it for any two
+//! elements.
+//!
+//! **What remains when a round shrinks is a tangent** ([`tangent`]), what remains of a flat when
+//! its place is forgotten is a [`direction`]; circles and spheres whose squared radius is
+//! negative are imaginary and take part in all of it. [`classify()`] says which of these a
+//! computed element really is.
+//!
+//! ```
+//! use ga_cga::{Classification, DualSphere, Shape, Tangent, Vector3, incidence::meet};
+//!
+//! let [left, right] = [-2.0, 2.0].map(|x| DualSphere::with_radius(Vector3::new(x, 0.0, 0.0), 2.0));
+//! let Classification::Direct(Shape::Tangent(Tangent::Bivector(touch))) = meet(left, right) else {
+//!     panic!("the spheres touch")
+//! };
+//! assert_eq!(touch.center().unwrap().position(), Vector3::new(0.0, 0.0, 0.0));
+//! ```
+//!
+//! **Everything is measured by products**: distances and angles, projections and nearest points,
+//! of any element and any other ([`incidence`]).
+//!
+//! # Accuracy
+//! Coefficients are stored in the null basis, where the coordinates of a point keep full
+//! precision at any distance from the origin. What holds for the other elements is stated in
+//! [`round`](round#accuracy-far-from-the-origin), for decisions in
+//! [`classify`](classify#tolerance).
 
 #![no_std]
 

@@ -8,6 +8,8 @@ mod construction;
 mod incidence;
 #[path = "elements/measures.rs"]
 mod measures;
+#[path = "elements/meets.rs"]
+mod meets;
 #[path = "elements/odd_input.rs"]
 mod odd_input;
 #[path = "elements/oracle.rs"]

@@ -4,7 +4,7 @@ use ga_core::{Field, Real};
 
 use super::attitude;
 use crate::cga3::{DirectionVector, DualSphere, Line, Point, Vector3};
-use crate::classify::range::{length, within_range};
+use crate::classify::range::length;
 use crate::round::{Degenerate, coincide};
 
 impl<T: Field> Line<T> {
@@ -31,7 +31,7 @@ impl<T: Real> Line<T> {
     pub fn through(a: Point<T>, b: Point<T>) -> Result<Self, Degenerate> {
         let along = b.position() - a.position();
         let line = Line::along(a, along);
-        if within_range(line).is_none() && !length(line).is_finite() {
+        if !length(line).is_finite() {
             return Err(Degenerate::NotFinite);
         }
         if coincide(a.position(), b.position()) {

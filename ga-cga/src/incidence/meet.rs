@@ -16,10 +16,11 @@ use crate::classify::{Classification, classify};
 /// element that is in both itself, which is handed out as it is.
 ///
 /// Degenerate meets are what they are: parallel planes share a direction, touching spheres a
-/// tangent bivector, spheres without a common point an imaginary circle. Elements that share no
-/// point give [`Classification::Dual`] where one sphere (or, of concentric spheres, all planes
-/// through one point) is orthogonal to all that passes through both, and
-/// [`Classification::Number`] where nothing at all is shared.
+/// tangent bivector, spheres without a common point an imaginary circle. What is shared can have
+/// no points to be named by, and is then named by what it is the dual of, with
+/// [`Classification::Dual`]: the sphere that cuts two circles at right angles which share no
+/// point, the flat point in which all planes cross that cut two concentric spheres at right
+/// angles. [`Classification::Number`] says that nothing at all is shared.
 ///
 /// ```
 /// use ga_cga::{Classification, DualSphere, Line, Point, Shape, Vector3, incidence::meet};

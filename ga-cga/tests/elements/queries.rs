@@ -208,6 +208,48 @@ fn equations_2_60_and_2_61_surrounds() {
     }
 }
 
+/// Tangents at any point come back from their queries, and in their own types at the origin.
+#[test]
+fn tangents_come_back_from_their_queries() {
+    let mut random = Random::new(29);
+    for _ in 0..TRIPS {
+        let at = point(random.position(10.0));
+        let t = vector(random.direction() * weight(&mut random));
+        let pair = PointPair::tangent(at, t);
+        let again = PointPair::tangent(pair.center().expect("round"), pair.attitude().vector());
+        assert!(oracle::distance(pair, again) <= 1e-12 * oracle::size(pair));
+        let plane = t.orthogonal_plane();
+        let circle = Circle::tangent(at, plane);
+        let place = circle.center().expect("round");
+        let again = Circle::tangent(place, circle.attitude().bivector());
+        assert!(oracle::distance(circle, again) <= 1e-12 * oracle::size(circle));
+        let sphere = Sphere::tangent(at);
+        let again = Sphere::tangent(sphere.center().expect("round"));
+        assert!(oracle::distance(sphere, again) <= 1e-12 * oracle::size(sphere));
+        for square in [
+            pair.radius_squared(),
+            circle.radius_squared(),
+            sphere.radius_squared(),
+        ] {
+            assert!(
+                square.expect("round").abs() < 1e-12,
+                "a tangent has radius zero"
+            );
+        }
+        let (own, own_plane) = (
+            TangentVector::at_origin(t),
+            TangentBivector::at_origin(plane),
+        );
+        assert_eq!(own.vector(), t);
+        assert_eq!(own_plane.bivector(), plane);
+        assert_eq!(own.dual().undual(), own);
+        assert_eq!(own_plane.dual().undual(), own_plane);
+        let (direction, level) = (DirectionVector::along(t), DirectionBivector::of(plane));
+        assert_eq!(direction.dual().undual(), direction);
+        assert_eq!(level.dual().undual(), level);
+    }
+}
+
 /// Flats come back from a point on them and their attitude.
 #[test]
 fn flats_and_directions_come_back_from_their_queries() {
@@ -348,4 +390,23 @@ fn single_precision() {
     assert!(second.distance(Point::at(1.0, 2.0, 7.0)) < 1e-5);
     let heavy: PointPair<f32> = pair * 1e30;
     assert_eq!(heavy.center(), Some(Point::at(1.0, 2.0, 5.0)));
+}
+
+/// Lanes answer like the numbers in them.
+#[cfg(feature = "wide")]
+#[test]
+fn lanes() {
+    use wide::f64x4;
+    let xs = f64x4::new([0.0, 1.0, -2.0, 1e6]);
+    let pair: PointPair<f64x4> =
+        Point::at(xs, xs, f64x4::splat(0.0)) ^ Point::at(xs, xs, f64x4::splat(4.0));
+    let center = pair.center().expect("round").position().to_array();
+    assert_eq!(center, [xs, xs, f64x4::splat(2.0)]);
+    let squares = pair.radius_squared().expect("round").to_array();
+    assert!(squares.iter().all(|square| (square - 4.0).abs() < 1e-2));
+    let line = Line::along(Point::at(xs, xs, xs), pair.attitude().vector());
+    let foot = line
+        .nearest(Point::at(xs, xs, f64x4::splat(7.0)))
+        .expect("a line");
+    assert_eq!(foot.position().to_array(), [xs, xs, f64x4::splat(7.0)]);
 }
