@@ -1,7 +1,7 @@
 //! What a multivector is, decided from its coefficients.
 //!
 //! Computed elements need not be what their type says: the meet of two spheres is stored as a
-//! [`Circle`], but it is a tangent where they touch, an imaginary circle where they miss each
+//! [`Circle`](crate::Circle), but it is a tangent where they touch, an imaginary circle where they miss each
 //! other, a flat point where they are concentric. [`classify`] tells, for every blade of every
 //! grade, and hands out the element in the type that it deserves.
 //!

@@ -65,7 +65,7 @@
 //! Coefficients are stored in the null basis, where the coordinates of a point keep full
 //! precision at any distance from the origin. What holds for the other elements is stated in
 //! [`round`](round#accuracy-far-from-the-origin), for decisions in
-//! [`classify`](classify#tolerance).
+//! [`classify`](mod@classify#tolerance).
 
 #![no_std]
 
