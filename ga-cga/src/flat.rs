@@ -2,8 +2,9 @@
 //!
 //! A flat is a round that passes through infinity: where a circle is a∧b∧c, a line is
 //! a∧b∧n_∞ (2.50). Direct flats ([`FlatPoint`], [`Line`], [`Plane`]) are products of the points
-//! that they contain; dual flats ([`DualLine`](crate::DualLine), [`DualPlane`](crate::DualPlane)) act: a dual plane reflects, a
-//! dual line generates the rotations about it.
+//! that they contain; dual flats ([`DualLine`](crate::DualLine),
+//! [`DualPlane`](crate::DualPlane)) act: a dual plane reflects, a dual line generates the
+//! rotations about it.
 //!
 //! Every direct flat knows its [`attitude`](Line::attitude), its [`weight`](Line::weight) (the
 //! size of the attitude) and the point of it that is [`nearest`](Line::nearest) to any given

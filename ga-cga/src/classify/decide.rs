@@ -1,6 +1,6 @@
 //! The decision: which parts of a multivector are there, and what that makes it.
 
-use ga_core::convert::{grade, pick};
+use ga_core::convert::pick;
 use ga_core::{Blade, Element, Real, Scalar};
 
 use super::range::{larger, length, within_range};
@@ -50,29 +50,30 @@ struct Parts<T> {
 
 impl<T: Real> Parts<T> {
     fn of<X: Element<Number = T>>(x: X) -> Self {
-        let part = |vectors: u32| {
-            length(X::from_fn(|position| {
-                let own = X::BLADES[position].0.mask() & (ORIGIN | INFINITY) == vectors;
-                if own { x.at(position) } else { T::ZERO }
-            }))
-        };
+        let mut squares = [T::ZERO; 4];
+        let [origin, neither, both, infinity] = &mut squares;
+        for (position, (blade, _)) in X::BLADES.iter().enumerate() {
+            let coefficient = x.at(position);
+            let part = match blade.mask() & (ORIGIN | INFINITY) {
+                0 => &mut *neither,
+                ORIGIN => &mut *origin,
+                INFINITY => &mut *infinity,
+                _ => &mut *both,
+            };
+            *part += coefficient * coefficient;
+        }
+        let [origin, neither, both, infinity] = squares.map(Real::sqrt);
         Parts {
-            origin: part(ORIGIN),
-            neither: part(0),
-            both: part(ORIGIN | INFINITY),
-            infinity: part(INFINITY),
+            origin,
+            neither,
+            both,
+            infinity,
         }
     }
 
     /// The parts that give a flat or dual flat its attitude.
     fn middle(&self) -> T {
-        length(DualSphere::new(
-            T::ZERO,
-            self.neither,
-            self.both,
-            T::ZERO,
-            T::ZERO,
-        ))
+        (self.neither * self.neither + self.both * self.both).sqrt()
     }
 
     /// Whether n_o is there by rounding only: the round would be larger than its distance from
@@ -121,8 +122,17 @@ pub(super) fn decide<T: Real>(
         };
     };
     let x = in_units_of(x, tolerance.length);
-    let bound = length(x) * tolerance.relative;
-    let mut present = (0..=5).filter(|k| !length(grade(x, *k)).all_le(bound));
+    let mut grades = [T::ZERO; 6];
+    for (mask, coefficient) in x.to_masks().into_iter().enumerate() {
+        if let Some(size) = grades.get_mut(mask.count_ones() as usize) {
+            *size += coefficient.abs();
+        }
+    }
+    let bound = grades.into_iter().fold(T::ZERO, larger) * tolerance.relative;
+    let sizes = grades.into_iter().enumerate();
+    let mut present = sizes
+        .filter(|(_, size)| !size.all_le(bound))
+        .map(|(k, _)| k);
     match (present.next(), present.next()) {
         (Some(0), None) => Classification::Number(element.coefficient(Blade::SCALAR)),
         (Some(1), None) => vector(pick(element), tolerance),

@@ -66,7 +66,9 @@ impl<T: Real> Frame<T> {
         let tolerance = Tolerance::relative(default.relative * (T::ONE + growth));
         let back = Translator::by(-place);
         let local = |element: Multivector<T>| {
-            let local = in_units_of(back.apply(element), unit);
+            // The application leaves rounding in the other grades.
+            let moved = back.apply(element).grade(main_grade(element));
+            let local = in_units_of(moved, unit);
             let size = power_of_two(length(local));
             (local.map(|coefficient| coefficient / size), size)
         };
@@ -162,19 +164,18 @@ fn extent<T: Real>(shape: Shape<T>, near: Point<T>) -> Option<(Point<T>, T)> {
     }
 }
 
-/// The grade of a homogeneous element of this frame: that of its largest part.
+/// The grade of the largest coefficient: that of an element of one grade.
 pub(super) fn main_grade<T: Real>(element: Multivector<T>) -> u32 {
-    let size = |grade: u32| length(element.grade(grade));
-    (1..=5).fold(0, |best, grade| {
-        if size(grade).all_le(size(best)) {
-            best
-        } else {
-            grade
+    let mut best = (T::ZERO, 0);
+    for (mask, coefficient) in element.to_masks().into_iter().enumerate() {
+        if !coefficient.abs().all_le(best.0) {
+            best = (coefficient.abs(), mask.count_ones());
         }
-    })
+    }
+    best.1
 }
 
-/// Zero as a start for the largest element of many.
+/// The largest of many elements, zero if there is none.
 pub(super) fn largest_of<T: Real>(
     elements: impl Iterator<Item = Multivector<T>>,
 ) -> Multivector<T> {

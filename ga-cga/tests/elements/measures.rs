@@ -2,59 +2,13 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use ga_cga::incidence::{Figure, angle, distance, nearest, nearest_points};
+use ga_cga::incidence::{angle, distance, nearest, nearest_points};
 use ga_cga::{
     Circle, DirectionVector, DualPlane, DualSphere, Line, Multivector, Plane, Point, PointPair,
     Shape, Sphere, classify,
 };
 
-use super::oracle::{Position, Random, near, place, point, rounding, vector};
-
-/// A figure and a function that gives many of its points.
-type Sampled = (Multivector, Box<dyn Fn(f64, f64) -> Position>);
-
-/// Random real figures around the origin, with samples from two numbers in [0, 1].
-fn figures(random: &mut Random) -> Vec<Sampled> {
-    let (c, n, r) = (
-        random.position(3.0),
-        random.direction(),
-        0.5 + random.signed().abs(),
-    );
-    let t = n.cross(&random.direction()).normalize();
-    let u = n.cross(&t);
-    let wide = |x: f64| 40.0 * (x - 0.5);
-    vec![
-        (point(c).direct(), Box::new(move |_, _| c)),
-        (
-            (point(c - t * r) ^ point(c + t * r)).direct(),
-            Box::new(move |x, _| if x < 0.5 { c - t * r } else { c + t * r }),
-        ),
-        (
-            Line::along(point(c), vector(t * 2.0)).direct(),
-            Box::new(move |x, _| c + t * wide(x)),
-        ),
-        (
-            Plane::with_normal(point(c), vector(n)).direct(),
-            Box::new(move |x, y| c + t * wide(x) + u * wide(y)),
-        ),
-        (
-            Circle::with_normal(point(c), r, vector(n))
-                .expect("a normal")
-                .direct(),
-            Box::new(move |x, _| {
-                let (sin, cos) = (2.0 * PI * x).sin_cos();
-                c + (t * cos + u * sin) * r
-            }),
-        ),
-        (
-            Sphere::about(point(c), r * r).direct(),
-            Box::new(move |x, y| {
-                let ((sin, cos), (up, out)) = ((2.0 * PI * x).sin_cos(), (PI * y).sin_cos());
-                c + ((t * cos + u * sin) * up + n * out) * r
-            }),
-        ),
-    ]
-}
+use super::oracle::{Random, figures, near, place, point, rounding, vector};
 
 fn shape(figure: Multivector) -> Shape<f64> {
     classify(figure).shape().expect("an element")

@@ -2,11 +2,13 @@
 
 use ga_cga::incidence::{join, meet, plunge};
 use ga_cga::{
-    Circle, Classification, Direction, DualLine, DualPlane, DualSphere, Flat, Line, Multivector,
-    Plane, Round, Shape, Sphere, SplitPair, Tangent, classify,
+    Circle, Classification, Dilator, Direction, DualLine, DualPlane, DualSphere, Flat, Line,
+    Multivector, Plane, Round, Shape, Sphere, SplitPair, Tangent, Translator, classify,
 };
 
-use super::oracle::{self, Position, Random, close, near, place, plain, point, rounding, vector};
+use super::oracle::{
+    self, Position, Random, close, figures, near, place, plain, point, rounding, vector,
+};
 
 use Classification::{Direct, Dual};
 
@@ -225,5 +227,37 @@ fn circles_meet_in_pairs() {
         is!(meet(one, point(at)), Classification::Number(_));
         let sphere = join(one, point(at + n * 2.0)).sphere().expect("a sphere");
         near(sphere.radius_squared().expect("round"), 4.0, 1e-9, "join");
+    }
+}
+
+/// The kind of an answer, without its numbers.
+fn kind(found: Classification<f64>) -> String {
+    let text = format!("{found:?}");
+    let end = text.find(|letter: char| letter == '{' || letter == '-' || letter.is_ascii_digit());
+    text[..end.unwrap_or(text.len())].to_owned()
+}
+
+/// Figure 1.1: what elements share and span does not depend on where they are, nor on how large
+/// they are.
+#[test]
+fn figure_1_1_answers_are_covariant() {
+    let mut random = Random::new(73);
+    for _ in 0..30 {
+        let (ones, twos) = (figures(&mut random), figures(&mut random));
+        let shift = Translator::by(vector(random.direction() * 1e4));
+        let scale = Dilator::new(1.5_f64, 0.5);
+        for (one, _) in &ones {
+            for (two, _) in twos.iter().chain(&ones) {
+                let element = |x: Multivector| classify(x).shape().expect("an element");
+                let (a, b) = (element(*one), element(*two));
+                let here = [kind(meet(a, b)), kind(join(a, b)), kind(plunge(a, b))];
+                let far = [one, two].map(|x| element(shift.apply(*x)));
+                let large = [one, two].map(|x| element(scale.apply(*x)));
+                for [a, b] in [far, large] {
+                    let there = [kind(meet(a, b)), kind(join(a, b)), kind(plunge(a, b))];
+                    assert_eq!(here, there, "{a:?} {b:?}");
+                }
+            }
+        }
     }
 }

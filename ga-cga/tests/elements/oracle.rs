@@ -1,7 +1,10 @@
 //! Plain vector geometry with nalgebra, which shares no code with what it judges, and random
 //! positions.
 
-use ga_cga::{Point, Vector3};
+use std::f64::consts::PI;
+
+use ga_cga::incidence::Figure;
+use ga_cga::{Circle, Line, Multivector, Plane, Point, Sphere, Vector3};
 use ga_core::Element;
 use nalgebra as na;
 
@@ -121,4 +124,50 @@ pub fn place(random: &mut Random) -> Position {
 /// How much worse than near the origin results are allowed to be at a place, for flats.
 pub fn rounding(place: Position) -> f64 {
     1e-14 * (1.0 + place.norm())
+}
+
+/// A figure and a function that gives many of its points.
+pub type Sampled = (Multivector, Box<dyn Fn(f64, f64) -> Position>);
+
+/// Random real figures around the origin, with samples from two numbers in [0, 1].
+pub fn figures(random: &mut Random) -> Vec<Sampled> {
+    let (c, n, r) = (
+        random.position(3.0),
+        random.direction(),
+        0.5 + random.signed().abs(),
+    );
+    let t = n.cross(&random.direction()).normalize();
+    let u = n.cross(&t);
+    let wide = |x: f64| 40.0 * (x - 0.5);
+    vec![
+        (point(c).direct(), Box::new(move |_, _| c)),
+        (
+            (point(c - t * r) ^ point(c + t * r)).direct(),
+            Box::new(move |x, _| if x < 0.5 { c - t * r } else { c + t * r }),
+        ),
+        (
+            Line::along(point(c), vector(t * 2.0)).direct(),
+            Box::new(move |x, _| c + t * wide(x)),
+        ),
+        (
+            Plane::with_normal(point(c), vector(n)).direct(),
+            Box::new(move |x, y| c + t * wide(x) + u * wide(y)),
+        ),
+        (
+            Circle::with_normal(point(c), r, vector(n))
+                .expect("a normal")
+                .direct(),
+            Box::new(move |x, _| {
+                let (sin, cos) = (2.0 * PI * x).sin_cos();
+                c + (t * cos + u * sin) * r
+            }),
+        ),
+        (
+            Sphere::about(point(c), r * r).direct(),
+            Box::new(move |x, y| {
+                let ((sin, cos), (up, out)) = ((2.0 * PI * x).sin_cos(), (PI * y).sin_cos());
+                c + ((t * cos + u * sin) * up + n * out) * r
+            }),
+        ),
+    ]
 }
