@@ -1,11 +1,12 @@
-//! Queries of arbitrary finite elements never answer NaN.
+//! Arbitrary finite elements get answers that are numbers, in double and single precision.
 
+use ga_cga::incidence::{angle, contains, distance, join, meet, nearest, plunge, project, reject};
 use ga_cga::{
-    Circle, DirectionBivector, DirectionTrivector, DirectionVector, DualLine, DualPlane,
-    DualSphere, FlatPoint, Line, Plane, Point, PointPair, Sphere, SplitPair, TangentBivector,
-    TangentTrivector, TangentVector, Vector3,
+    Circle, Classification, DirectionBivector, DirectionTrivector, DirectionVector, DualLine,
+    DualPlane, DualSphere, FlatPoint, Line, Multivector, Plane, Point, PointPair, Shape, Sphere,
+    SplitPair, TangentBivector, TangentTrivector, TangentVector, Vector3, classify,
 };
-use ga_core::Element;
+use ga_core::{Element, Real, Scalar};
 
 use super::oracle::Random;
 
@@ -14,15 +15,29 @@ trait Answers {
     fn answers(self) -> Vec<f64>;
 }
 
-fn coefficients<X: Element<Number = f64>>(x: X) -> Vec<f64> {
-    (0..X::BLADES.len()).map(|i| x.at(i)).collect()
+/// The numbers that are asked with.
+trait Number: Real + Into<f64> {}
+
+impl Number for f32 {}
+impl Number for f64 {}
+
+fn coefficients<X: Element<Number: Number>>(x: X) -> Vec<f64> {
+    (0..X::BLADES.len()).map(|i| x.at(i).into()).collect()
 }
 
-fn maybe<X: Element<Number = f64>>(x: Option<X>) -> Vec<f64> {
+fn number<T: Number>(x: T) -> Vec<f64> {
+    vec![x.into()]
+}
+
+fn maybe_number<T: Number>(x: Option<T>) -> Vec<f64> {
+    x.map(number).unwrap_or_default()
+}
+
+fn maybe<X: Element<Number: Number>>(x: Option<X>) -> Vec<f64> {
     x.map(coefficients).unwrap_or_default()
 }
 
-fn split_numbers(split: SplitPair<f64>) -> Vec<f64> {
+fn split_numbers<T: Number>(split: SplitPair<T>) -> Vec<f64> {
     match split {
         SplitPair::Real { first, second } => [coefficients(first), coefficients(second)].concat(),
         SplitPair::Tangent { point, direction } => {
@@ -35,7 +50,7 @@ fn split_numbers(split: SplitPair<f64>) -> Vec<f64> {
         } => [
             coefficients(center),
             coefficients(direction),
-            vec![radius_squared],
+            number(radius_squared),
         ]
         .concat(),
         SplitPair::WithInfinity(point) => coefficients(point),
@@ -43,9 +58,18 @@ fn split_numbers(split: SplitPair<f64>) -> Vec<f64> {
     }
 }
 
+fn place<T: Real>() -> Point<T> {
+    Point::at(T::ONE, T::from_integer(-2), T::from_integer(3))
+}
+
+/// So far that its square is beyond the range of either number.
+fn far<T: Real>() -> Point<T> {
+    Point::at(T::from_f64(1e30) * T::from_f64(1e5), T::ONE, T::ZERO)
+}
+
 macro_rules! answers {
     ($($Element:ident($x:ident): $($answer:expr),*;)*) => {$(
-        impl Answers for $Element {
+        impl<T: Number> Answers for $Element<T> {
             fn answers(self) -> Vec<f64> {
                 let $x = self;
                 [$($answer),*].concat()
@@ -55,22 +79,22 @@ macro_rules! answers {
 }
 
 answers! {
-    DualSphere(x): maybe(x.center()), x.radius_squared().into_iter().collect(), maybe(x.unit_weight());
-    DualPlane(x): x.distance_from_origin().into_iter().collect(), coefficients(x.normal()),
-        maybe(x.nearest(Point::at(1.0, 2.0, 3.0))), coefficients(x.attitude()), vec![x.weight()];
-    PointPair(x): maybe(x.center()), x.radius_squared().into_iter().collect(), maybe(x.surround()),
-        coefficients(x.carrier()), coefficients(x.attitude()), vec![x.weight()], split_numbers(x.split());
-    Circle(x): maybe(x.center()), x.radius_squared().into_iter().collect(), maybe(x.surround()),
-        coefficients(x.carrier()), coefficients(x.attitude()), vec![x.weight()], coefficients(x.normal());
-    Sphere(x): maybe(x.center()), x.radius_squared().into_iter().collect(), maybe(x.surround()),
-        coefficients(x.carrier()), coefficients(x.attitude()), vec![x.weight()];
-    FlatPoint(x): maybe(x.location()), vec![x.weight()], maybe(x.nearest(Point::at(1e300, 2.0, 3.0)));
-    Line(x): coefficients(x.direction()), vec![x.weight()], maybe(x.nearest(Point::at(1.0, 2.0, 3.0)));
-    DualLine(x): coefficients(x.direction()), vec![x.weight()], maybe(x.nearest(Point::at(1.0, 2.0, 3.0)));
-    Plane(x): coefficients(x.normal()), vec![x.weight()], maybe(x.nearest(Point::at(1.0, 2.0, 3.0)));
-    DirectionVector(x): coefficients(x.vector()), vec![x.weight()];
-    DirectionBivector(x): coefficients(x.bivector()), vec![x.weight()];
-    DirectionTrivector(x): coefficients(x.trivector()), vec![x.weight()];
+    DualSphere(x): maybe(x.center()), maybe_number(x.radius_squared()), maybe(x.unit_weight());
+    DualPlane(x): maybe_number(x.distance_from_origin()), coefficients(x.normal()),
+        maybe(x.nearest(place())), coefficients(x.attitude()), number(x.weight());
+    PointPair(x): maybe(x.center()), maybe_number(x.radius_squared()), maybe(x.surround()),
+        coefficients(x.carrier()), coefficients(x.attitude()), number(x.weight()), split_numbers(x.split());
+    Circle(x): maybe(x.center()), maybe_number(x.radius_squared()), maybe(x.surround()),
+        coefficients(x.carrier()), coefficients(x.attitude()), number(x.weight()), coefficients(x.normal());
+    Sphere(x): maybe(x.center()), maybe_number(x.radius_squared()), maybe(x.surround()),
+        coefficients(x.carrier()), coefficients(x.attitude()), number(x.weight());
+    FlatPoint(x): maybe(x.location()), number(x.weight()), maybe(x.nearest(far()));
+    Line(x): coefficients(x.direction()), number(x.weight()), maybe(x.nearest(place()));
+    DualLine(x): coefficients(x.direction()), number(x.weight()), maybe(x.nearest(place()));
+    Plane(x): coefficients(x.normal()), number(x.weight()), maybe(x.nearest(place()));
+    DirectionVector(x): coefficients(x.vector()), number(x.weight());
+    DirectionBivector(x): coefficients(x.bivector()), number(x.weight());
+    DirectionTrivector(x): coefficients(x.trivector()), number(x.weight());
     TangentVector(x): coefficients(x.vector()), PointPair::from(x).answers();
     TangentBivector(x): coefficients(x.bivector()), Circle::from(x).answers();
     TangentTrivector(x): coefficients(x.trivector()), Sphere::from(x).answers();
@@ -78,51 +102,148 @@ answers! {
 }
 
 /// Asks an element of arbitrary finite coefficients everything.
-fn ask<X: Answers + Element<Number = f64> + std::fmt::Debug>(random: &mut Random) {
-    const ODD: [f64; 12] = [
+fn ask<X>(random: &mut Random)
+where
+    X: Answers + Element<Number: Number> + std::fmt::Debug,
+{
+    let odd = [
         0.0,
         1.0,
         -1.0,
         5e-324,
         1e-310,
         1e-200,
+        1e-45,
+        1e-40,
+        1e-30,
         1e-100,
+        1e20,
         1e100,
         -1e200,
+        3e38,
+        -3e38,
         f64::MAX,
         f64::MIN,
         0.5,
     ];
     for round in 0..3000 {
-        let spread = if round % 2 == 0 { 300.0 } else { 8.0 };
+        let spread = [300.0, 38.0, 8.0][round % 3];
         let x = X::from_fn(|_| {
-            let pick = ((random.signed() + 1.0) * 12.0) as usize;
-            match ODD.get(pick) {
-                Some(odd) if round % 3 == 0 => *odd,
-                _ if pick > 20 => 0.0,
+            let pick = ((random.signed() + 1.0) * 18.0) as usize;
+            let value = match odd.get(pick) {
+                Some(odd) if round % 2 == 0 => *odd,
+                _ if pick > 30 => 0.0,
                 _ => random.signed() * 10_f64.powf(spread * random.signed()),
+            };
+            let value = X::Number::from_f64(value);
+            if value.is_finite() {
+                value
+            } else {
+                X::Number::ONE
             }
         });
         let answers = x.answers();
         assert!(answers.iter().all(|x| !x.is_nan()), "{x:?}: {answers:?}");
     }
-    let zero = X::from_fn(|_| 0.0).answers();
+    let zero = X::from_fn(|_| X::Number::ZERO).answers();
     assert!(zero.iter().all(|x| !x.is_nan()), "{zero:?}");
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let bad = X::Number::from_f64(bad);
         // No promise about the answers but that there are some.
-        let _ = X::from_fn(|i| if i == 0 { bad } else { 1.0 }).answers();
+        let _ = X::from_fn(|i| if i == 0 { bad } else { X::Number::ONE }).answers();
     }
 }
 
-/// No query answers NaN or panics, whatever the finite element.
+/// No query answers NaN or panics, whatever the finite element, in double and single precision.
 #[test]
 fn no_query_answers_nan() {
     let mut random = Random::new(28);
     macro_rules! ask_all {
-        ($($Element:ident)*) => {$(ask::<$Element>(&mut random);)*};
+        ($($Element:ident)*) => {$(
+            ask::<$Element<f64>>(&mut random);
+            ask::<$Element<f32>>(&mut random);
+        )*};
     }
     ask_all! {
         DualSphere DualPlane PointPair Circle Sphere FlatPoint Line DualLine Plane DirectionVector
         DirectionBivector DirectionTrivector TangentVector TangentBivector TangentTrivector Vector3
     }
+}
+
+/// A random shape with coefficients of very different sizes.
+fn any_shape<T: Number>(random: &mut Random, round: usize) -> Shape<T> {
+    let spread = [2.0, 8.0, 100.0][round % 3];
+    loop {
+        let [a, b, c] = [(); 3].map(|()| {
+            DualSphere::<T>::from_fn(|_| {
+                let value = random.signed() * 10_f64.powf(spread * random.signed());
+                let value = T::from_f64(value);
+                if random.signed() < -0.5 || !value.is_finite() {
+                    T::ZERO
+                } else {
+                    value
+                }
+            })
+        });
+        let x: Multivector<T> = match round % 5 {
+            0 => a.into(),
+            1 => (a ^ b).into(),
+            2 => (a ^ b ^ c).into(),
+            3 => a.undual().into(),
+            _ => (a.undual() ^ b).into(),
+        };
+        if let Some(shape) = classify(x).shape() {
+            return shape;
+        }
+    }
+}
+
+fn sane<T: Number>(class: Classification<T>) {
+    if let Some(shape) = class.shape() {
+        let numbers = coefficients(Multivector::from(shape));
+        assert!(numbers.iter().all(|x| !x.is_nan()), "{class:?}");
+    }
+}
+
+fn relate<T: Number>(random: &mut Random) {
+    for round in 0..1000 {
+        let (a, b) = (
+            any_shape::<T>(random, round),
+            any_shape::<T>(random, round / 5),
+        );
+        sane(meet(a, b));
+        sane(join(a, b));
+        sane(plunge(a, b));
+        project(a, b).into_iter().chain(reject(a, b)).for_each(sane);
+        contains(a, b);
+        for number in [angle(a, b), distance(a, b)].into_iter().flatten() {
+            assert!(number.is_finite(), "{a:?} {b:?}");
+        }
+        let near = maybe(nearest(a, place()));
+        assert!(near.iter().all(|x| !x.is_nan()), "{a:?}");
+    }
+    let (zero, point) = (PointPair::<T>::default(), place::<T>());
+    let broken = point.map(|_| T::from_f64(f64::NAN));
+    for (found, expected) in [
+        (meet(zero, point), Classification::Zero),
+        (join(point, zero), Classification::Zero),
+        (plunge(zero, zero), Classification::Zero),
+        (meet(broken, point), Classification::NotFinite),
+        (join(point, broken), Classification::NotFinite),
+    ] {
+        assert_eq!(found, expected);
+    }
+    assert_eq!(project(zero, point), Some(Classification::Zero));
+    assert_eq!(distance(zero, point), None);
+    assert_eq!(angle(broken, point), None);
+    assert_eq!(nearest(broken, point), None);
+    assert!(!contains(zero, point) && !contains(point, broken));
+}
+
+/// Whatever the two elements: an answer, without panic and without NaN.
+#[test]
+fn any_two_elements_have_answers() {
+    let mut random = Random::new(72);
+    relate::<f64>(&mut random);
+    relate::<f32>(&mut random);
 }

@@ -172,6 +172,18 @@ fn equations_2_60_and_2_61_surrounds() {
                 1e-11,
             );
         }
+        // The squared radius X²/(X∧n_∞)², negated for circles.
+        let squares = [
+            (pair.norm_squared(), pair.carrier().norm_squared(), 1.0),
+            (circle.norm_squared(), circle.carrier().norm_squared(), -1.0),
+            (sphere.norm_squared(), sphere.carrier().norm_squared(), 1.0),
+        ];
+        // X X̃ is X² or −X² by the grade; the signs of X and its carrier differ but for circles.
+        let squared = |grade: u32, reverse: f64| if grade % 4 < 2 { reverse } else { -reverse };
+        for (grade, (own, carrier, sign)) in (2..).zip(squares) {
+            let found = sign * squared(grade, own) / squared(grade + 1, carrier);
+            assert!((found - radius_squared).abs() < 1e-11, "grade {grade}");
+        }
         let printed_2_61 = [
             (
                 vector_part((pair / pair.carrier()).into()),
