@@ -1,8 +1,12 @@
 //! The frame in which two elements are compared: at their place and in their size.
 
+use ga_core::convert::pick;
 use ga_core::{Real, Scalar};
 
-use crate::cga3::{Multivector, Point, Translator, Vector3};
+use crate::cga3::{
+    Circle, DualSphere, Multivector, Point, PointPair, Scalar as Number, Sphere, Translator,
+    Vector3,
+};
 use crate::classify::decide::in_units_of;
 use crate::classify::range::{larger, length, power_of_two, within_range};
 use crate::classify::{Classification, Shape, Tolerance, classify};
@@ -66,9 +70,7 @@ impl<T: Real> Frame<T> {
         let tolerance = Tolerance::relative(default.relative * (T::ONE + growth));
         let back = Translator::by(-place);
         let local = |element: Multivector<T>| {
-            // The application leaves rounding in the other grades.
-            let moved = back.apply(element).grade(main_grade(element));
-            let local = in_units_of(moved, unit);
+            let local = in_units_of(translated(back, element), unit);
             let size = power_of_two(length(local));
             (local.map(|coefficient| coefficient / size), size)
         };
@@ -107,7 +109,7 @@ impl<T: Real> Frame<T> {
         let carried = |weight: T| {
             local.map(|x| {
                 let weighted = x.map(|coefficient| coefficient * weight);
-                there.apply(in_units_of(weighted, T::ONE / self.unit))
+                translated(there, in_units_of(weighted, T::ONE / self.unit))
             })
         };
         let in_range = |classification: &Classification<T>| {
@@ -115,9 +117,10 @@ impl<T: Real> Frame<T> {
             element.is_none_or(|element| within_range(element).is_some())
         };
         // A weight beyond the range of the numbers is left out.
-        let candidates = [carried(a * b), carried(T::ONE)];
-        let found = candidates.into_iter().find(in_range);
-        found.unwrap_or(Classification::NotFinite)
+        let mut candidates = [a * b, T::ONE].into_iter().map(carried);
+        candidates
+            .find(in_range)
+            .unwrap_or(Classification::NotFinite)
     }
 
     /// What is zero in products of the two elements.
@@ -164,6 +167,18 @@ fn extent<T: Real>(shape: Shape<T>, near: Point<T>) -> Option<(Point<T>, T)> {
     }
 }
 
+/// The image of an element of one grade, in the type of that grade: scalars and pseudoscalars
+/// stay as they are.
+fn translated<T: Real>(by: Translator<T>, element: Multivector<T>) -> Multivector<T> {
+    match main_grade(element) {
+        1 => by.apply(pick::<_, DualSphere<T>>(element)).into(),
+        2 => by.apply(pick::<_, PointPair<T>>(element)).into(),
+        3 => by.apply(pick::<_, Circle<T>>(element)).into(),
+        4 => by.apply(pick::<_, Sphere<T>>(element)).into(),
+        _ => element,
+    }
+}
+
 /// The grade of the largest coefficient: that of an element of one grade.
 pub(super) fn main_grade<T: Real>(element: Multivector<T>) -> u32 {
     let mut best = (T::ZERO, 0);
@@ -179,7 +194,7 @@ pub(super) fn main_grade<T: Real>(element: Multivector<T>) -> u32 {
 pub(super) fn largest_of<T: Real>(
     elements: impl Iterator<Item = Multivector<T>>,
 ) -> Multivector<T> {
-    let zero = Multivector::from(crate::cga3::Scalar::new(T::ZERO));
+    let zero = Multivector::from(Number::new(T::ZERO));
     elements.fold(zero, |best, element| {
         if length(element).all_le(length(best)) {
             best
