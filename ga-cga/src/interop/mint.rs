@@ -3,7 +3,6 @@
 use ::mint::{Point3, Quaternion};
 use ga_core::{Field, Scalar};
 
-use super::convention::{quaternion_of, rotor_of};
 use crate::cga3::{Point, Rotor};
 
 /// The point n_o + x + ½ x² n_∞ at position x.
@@ -24,14 +23,14 @@ impl<T: Field> From<Point<T>> for Point3<T> {
 impl<T: Scalar> From<Quaternion<T>> for Rotor<T> {
     fn from(quaternion: Quaternion<T>) -> Self {
         let [x, y, z] = quaternion.v.into();
-        rotor_of([quaternion.s, x, y, z])
+        Rotor::from_quaternion([quaternion.s, x, y, z])
     }
 }
 
 /// The quaternion s − e23 i + e13 j − e12 k of a rotor.
 impl<T: Scalar> From<Rotor<T>> for Quaternion<T> {
     fn from(rotor: Rotor<T>) -> Self {
-        let [w, x, y, z] = quaternion_of(rotor);
+        let [w, x, y, z] = rotor.to_quaternion();
         Quaternion::from([x, y, z, w])
     }
 }

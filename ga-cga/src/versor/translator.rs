@@ -2,7 +2,7 @@
 
 use ga_core::Field;
 
-use crate::cga3::{DirectionVector, Translator, Vector3};
+use crate::cga3::{DirectionVector, Point, Translator, Vector3};
 
 impl<T: Field> Translator<T> {
     /// The translation by a vector, 1 − ½**v** n_∞ = e^{−**v** n_∞/2}.
@@ -15,6 +15,16 @@ impl<T: Field> Translator<T> {
     /// ```
     pub fn by(vector: Vector3<T>) -> Self {
         (DirectionVector::from(vector.to_array()) * -T::from_ratio(1, 2)).exp()
+    }
+
+    /// The translation that takes one point to another.
+    pub fn between(from: Point<T>, to: Point<T>) -> Self {
+        Translator::by(to.position() - from.position())
+    }
+
+    /// The identity.
+    pub fn identity() -> Self {
+        Translator::by(Vector3::default())
     }
 
     /// The vector it translates by.
