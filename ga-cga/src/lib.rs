@@ -75,6 +75,7 @@ pub mod direction;
 pub mod flat;
 pub mod incidence;
 pub mod interop;
+pub mod interpolate;
 pub mod round;
 pub mod tangent;
 mod versor;

@@ -30,10 +30,9 @@
 //! | dual plane | odd | odd | odd | odd | odd | motor, even |
 //! | dual sphere | odd | odd | odd | odd | odd | even |
 //!
-//! Long chains of products drift off the versors by rounding; `without_drift` brings them back.
+//! Long chains of products drift off the versors by rounding; `renormalized` brings them back.
 
 mod dilator;
-mod drift;
 mod image;
 mod motor;
 mod rotor;

@@ -28,17 +28,17 @@ impl<T: Real> Motor<T> {
     /// taken and the pitch left out.
     ///
     /// ```
-    /// use ga_cga::{DualSphere, Motor, Point};
+    /// use ga_cga::{DualLine, DualSphere, Motor, Point};
     ///
     /// let (a, b) = (Point::at(1.0, 0.0, 0.0), Point::at(1.0, 0.0, 5.0));
-    /// let axis = !(a ^ b ^ DualSphere::infinity()).narrow(1e-9).unwrap();
+    /// let axis: DualLine = (!(a ^ b ^ DualSphere::infinity())).narrow(1e-9).unwrap();
     /// let quarter = Motor::about_line(axis, core::f64::consts::FRAC_PI_2).unwrap();
     /// let image: Point = quarter.apply(Point::at(3.0, 0.0, 7.0));
     /// assert!(image.distance(Point::at(1.0, 2.0, 7.0)) < 1e-14);
     /// ```
     pub fn about_line(axis: DualLine<T>, angle: T) -> Option<Self> {
         // The unit versor nearest to λ is the half turn about its axis: the unit line itself.
-        let line = Motor::from(axis).without_drift()?;
+        let line = Motor::from(axis).renormalized()?;
         let (sin, cos) = (angle * T::from_ratio(1, 2)).sin_cos();
         let turn = line * -sin + Motor::identity() * cos;
         cos.is_finite().then_some(turn)

@@ -39,9 +39,9 @@ impl<T: Real> Even<T> {
     /// let turn = Rotor::about_axis(Vector3::new(1.0, 2.0, 3.0), 2.0).unwrap();
     /// let shift = Translator::by(Vector3::new(0.0, 4.0, 0.0));
     /// let given = Even::similarity(Dilator::scaling(2.5).unwrap(), turn, shift);
-    /// let (scaling, rotation, translation) = (given * -7.0).similarity_parts(1e-9).unwrap();
-    /// assert!((scaling.factor().unwrap() - 2.5).abs() < 1e-14);
-    /// assert!((rotation.angle() - 2.0).abs() < 1e-14);
+    /// let (scaling, rotation, translation) = (given * 7.0).similarity_parts(1e-9).unwrap();
+    /// assert!((scaling.factor().unwrap() - 2.5_f64).abs() < 1e-14);
+    /// assert!((rotation.angle() - 2.0_f64).abs() < 1e-14);
     /// assert!((translation.vector() - shift.vector()).norm() < 1e-14);
     /// ```
     pub fn similarity_parts(self, tolerance: T) -> Option<(Dilator<T>, Rotor<T>, Translator<T>)> {

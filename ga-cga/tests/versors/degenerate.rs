@@ -43,7 +43,7 @@ proptest! {
         prop_assert!(finite(Motor::about_line(line, t)));
         prop_assert!(finite(Motor::screw(line, t, h).filter(|m| size(*m).is_finite())));
         let motor = Motor::new(t, x, y, z, u, v, w, h);
-        prop_assert!(finite(motor.without_drift()));
+        prop_assert!(finite(motor.renormalized()));
         prop_assert!(finite(motor.rotation()));
     }
 
@@ -55,7 +55,7 @@ proptest! {
         let even = Even::from(coefficients);
         prop_assert!(finite(p.image_under(even)));
         prop_assert!(finite(p.image_under(Odd::from(coefficients))));
-        prop_assert!(finite(even.without_drift()));
+        prop_assert!(finite(even.renormalized()));
         if let Some((scaling, rotation, translation)) = even.similarity_parts(1e-6) {
             prop_assert!(finite(Some(scaling)) && finite(Some(rotation)));
             prop_assert!(finite(Some(translation)));

@@ -21,7 +21,7 @@ fn a_long_product_is_a_unit_versor_again() {
             );
         let drift = |m: Motor<f32>| size(m * m.reverse() - Motor::identity());
         worst = worst.max(drift(there_and_back));
-        let unit = there_and_back.without_drift().expect("close to a versor");
+        let unit = there_and_back.renormalized().expect("close to a versor");
         assert!(drift(unit) < 3e-6);
     }
     assert!(worst > 1e-5, "nothing has drifted: {worst}");
@@ -34,17 +34,17 @@ fn what_is_close_stays_close() {
     for _ in 0..10_000 {
         let motor = random.motor();
         let noise: Motor = random.element();
-        let unit = (motor * 3.0 + noise * 1e-6).without_drift().expect("close");
+        let unit = (motor * 3.0 + noise * 1e-6).renormalized().expect("close");
         assert!(size(unit * unit.reverse() - Motor::identity()) < 1e-13);
         assert!(size(unit - motor) < 1e-5);
-        assert!(size(motor.without_drift().expect("a versor") - motor) < 1e-14);
+        assert!(size(motor.renormalized().expect("a versor") - motor) < 1e-14);
 
         let even = random.even();
-        let Some(versor) = even.without_drift() else {
-            // V Ṽ < 0: a real and an imaginary sphere.
-            assert!((even * even.reverse()).s < 0.0);
+        if (even * even.reverse()).s < 0.0 {
+            // A real and an imaginary sphere: there is no unit versor nearby.
             continue;
-        };
+        }
+        let versor = even.renormalized().expect("a versor");
         let one = Even::from(Motor::identity());
         let scale = size(versor) * size(versor);
         let off = size(versor * versor.reverse() - one);
@@ -54,16 +54,18 @@ fn what_is_close_stays_close() {
 
 #[test]
 fn what_is_far_from_every_versor_is_refused() {
-    assert_eq!(Motor::<f64>::default().without_drift(), None);
-    assert_eq!(Even::<f64>::default().without_drift(), None);
+    assert_eq!(Motor::<f64>::default().renormalized(), None);
+    assert_eq!(Even::<f64>::default().renormalized(), None);
     let null = Even::from(ga_cga::PointPair::from(ga_cga::DirectionVector::new(
         1.0, 0.0, 0.0,
     )));
-    assert_eq!(null.without_drift(), None);
+    assert_eq!(null.renormalized(), None);
     let direct: Sphere = DualSphere::infinity().undual();
-    assert_eq!(Even::from(direct).without_drift(), None);
-    let huge = Motor::from(Rotor::identity()) * 1e200;
-    assert_eq!(huge.without_drift(), Some(Motor::identity()));
-    let tiny = Motor::from(Rotor::identity()) * -1e-200;
-    assert_eq!(tiny.without_drift(), Some(-Motor::identity()));
+    assert_eq!(Even::from(direct).renormalized(), None);
+    let huge = Motor::from(Rotor::identity()) * 1e50;
+    let unit = huge.renormalized().expect("a heavy identity");
+    assert!(size(unit - Motor::identity()) < 1e-15);
+    let tiny = Motor::from(Rotor::identity()) * -1e-50;
+    let unit = tiny.renormalized().expect("a light identity");
+    assert!(size(unit + Motor::identity()) < 1e-15);
 }
