@@ -4,19 +4,27 @@
 //! test beside it holds what must be true of that figure. Adding one is a row of [`entries`].
 
 mod bonds;
+mod camera_roll;
+mod conformal_motions;
 mod covariance;
 mod crystals;
+mod folded_vertex;
 mod helix;
 mod kaleidoscope;
+mod meets;
+mod miura;
 mod motif;
 mod motions;
 mod palette;
 mod reflections;
+mod spans;
 mod spiral;
+mod stereographic;
 
 use crate::crystallography::cif::CifError;
 use crate::crystallography::{CellRangeError, ExpansionError};
 use crate::export::{ExportError, Scene};
+use crate::folding::FoldError;
 use crate::mesh::MeshError;
 use thiserror::Error;
 
@@ -58,6 +66,9 @@ pub enum GalleryError {
     /// A crystal could not be built.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),
+    /// A pattern does not fold.
+    #[error(transparent)]
+    Fold(#[from] FoldError),
     /// A shape could not be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -83,15 +94,22 @@ pub const fn entries() -> &'static [Entry] {
             entry("quartz", crystals::quartz),
             entry("covariance", covariance::scene),
             entry("kaleidoscope", kaleidoscope::scene),
+            entry("meets", meets::scene),
+            entry("folded-vertex", folded_vertex::scene),
             entry("diamond", crystals::diamond),
             entry("two-reflections", reflections::scene),
             entry("calcite", crystals::calcite),
             entry("tetrahedral-helix", helix::scene),
             entry("rutile", crystals::rutile),
             entry("motions", motions::scene),
+            entry("conformal-motions", conformal_motions::scene),
+            entry("miura", miura::scene),
             entry("halite", crystals::halite),
+            entry("stereographic", stereographic::scene),
+            entry("camera-roll", camera_roll::scene),
             entry("spiral", spiral::scene),
             entry("spinel", crystals::spinel),
+            entry("spans", spans::scene),
             entry("pyrite", crystals::pyrite),
         ]
     }

@@ -50,7 +50,18 @@ impl Meeting {
     #[must_use]
     pub fn of([first, second, third]: [DualSphere; 3]) -> Self {
         let dual: Circle = first ^ second ^ third;
-        let pair: PointPair = dual.undual();
+        let radius = first.radius_squared().unwrap_or_default().abs();
+        Self::within(dual.undual(), TANGENT * radius)
+    }
+
+    /// The two points of a point pair, which three spheres share, in the order of its orientation.
+    #[must_use]
+    pub fn of_pair(pair: PointPair) -> Self {
+        Self::within(pair, 0.0)
+    }
+
+    /// The points of a pair; squared half distances up to `tangent` are taken for zero.
+    fn within(pair: PointPair, tangent: f64) -> Self {
         // p∓ = (κ ± √κ²)/(−n_∞·κ) (2.57): the sphere half-way between the two points, which is
         // the plane of the centres, and from it the half distance either way.
         let plane: DualSphere = -DualSphere::infinity().left_contract(pair);
@@ -60,8 +71,7 @@ impl Meeting {
             return Meeting::Aligned;
         };
         let square = pair.scalar_product(pair) / weight;
-        let radius = first.radius_squared().unwrap_or_default().abs();
-        if square.abs() <= TANGENT * radius {
+        if square.abs() <= tangent {
             return Meeting::One(center);
         }
         if square.is_nan() || square < 0.0 {
@@ -71,6 +81,15 @@ impl Meeting {
         match [middle - half, middle + half].map(DualSphere::center) {
             [Some(before), Some(after)] => Meeting::Two([before, after]),
             _ => Meeting::Aligned,
+        }
+    }
+
+    /// The two places, where there are two.
+    #[must_use]
+    pub fn both(self) -> Option<[Point; 2]> {
+        match self {
+            Meeting::Two(points) => Some(points),
+            _ => None,
         }
     }
 

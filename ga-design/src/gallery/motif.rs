@@ -3,7 +3,7 @@
 use super::GalleryError;
 use crate::export::{MaterialId, Scene};
 use crate::mesh::{self, Ends};
-use ga_cga::Point;
+use ga_cga::{Circle, DualSphere, Point};
 
 /// The strokes of the letter in its own plane: a stem and two arms, one unit high.
 const STROKES: [&[[f64; 2]]; 3] = [
@@ -99,4 +99,50 @@ pub(super) fn ball(centre: [f64; 3], radius: f64) -> Result<mesh::Mesh, GalleryE
 /// A line through the points as a tube.
 pub(super) fn path(points: &[Point], radius: f64) -> Result<mesh::Mesh, GalleryError> {
     Ok(mesh::tube(&coordinates(points), Ends::Capped, radius, 16)?)
+}
+
+/// A circle as a ring: its centre and radius are those of the smallest sphere around it, its normal is
+/// that of its plane.
+pub(super) fn ring(circle: Circle, thickness: f64) -> Result<mesh::Mesh, GalleryError> {
+    let carrier = circle ^ DualSphere::infinity();
+    let around = circle.left_contract(carrier);
+    let plane: DualSphere = carrier.dual();
+    let Some((centre, square)) = around.center().zip(around.radius_squared()) else {
+        return Err(GalleryError::Degenerate {
+            what: "a circle that is a line",
+        });
+    };
+    Ok(mesh::torus(
+        centre.position().to_array(),
+        [plane.e1, plane.e2, plane.e3],
+        square.abs().sqrt(),
+        thickness,
+        128,
+        12,
+    )?)
+}
+
+/// A real sphere as a mesh of its own.
+pub(super) fn shell(sphere: DualSphere) -> Result<mesh::Mesh, GalleryError> {
+    let Some((centre, square)) = sphere.center().zip(sphere.radius_squared()) else {
+        return Err(GalleryError::Degenerate {
+            what: "a sphere that is a plane",
+        });
+    };
+    let unit = mesh::icosphere(5)?;
+    let (radius, at) = (square.abs().sqrt(), centre.position().to_array());
+    let positions = unit.positions().iter();
+    let positions = positions.map(|p| std::array::from_fn(|i| at[i] + radius * p[i]));
+    Ok(mesh::Mesh::new(
+        positions.collect(),
+        unit.normals().to_vec(),
+        unit.triangles().to_vec(),
+    )?)
+}
+
+/// A flat polygon through corners in order, as a fan from the first.
+pub(super) fn face(corners: &[Point]) -> Result<mesh::Mesh, GalleryError> {
+    let count = u32::try_from(corners.len()).unwrap_or_default();
+    let triangles = (2..count).map(|i| [0, i - 1, i]).collect();
+    Ok(mesh::Mesh::from_triangles(coordinates(corners), triangles)?)
 }
