@@ -79,11 +79,10 @@ proptest! {
             let _ = vertex.fold(fold, FoldMode::Alike);
         }
         let [a, b, angle, _] = numbers;
-        if let Ok(pattern) = Miura::new(a, b, angle, [2, 3]) {
-            if let Ok(sheet) = pattern.fold(fold) {
-                for corner in sheet.rows().iter().flatten() {
-                    prop_assert!(corner.position().to_array().iter().all(|c| !c.is_nan()));
-                }
+        let pattern = Miura::new(a, b, angle, [2, 3]);
+        if let Ok(sheet) = pattern.and_then(|pattern| pattern.fold(fold)) {
+            for corner in sheet.rows().iter().flatten() {
+                prop_assert!(corner.position().to_array().iter().all(|c| !c.is_nan()));
             }
         }
     }

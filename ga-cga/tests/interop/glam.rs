@@ -64,3 +64,49 @@ fn coefficients_are_not_quaternions() {
     );
     assert_eq!(DQuat::from(rotor), DQuat::from_xyzw(-4.0, 3.0, -2.0, 1.0));
 }
+
+/// Matrices and affine maps of rigid motions, and matrices of similarities, in both precisions.
+macro_rules! matrices {
+    ($test:ident $number:ident $Matrix:ident $Affine:ident $Vector:ident $Quaternion:ident $tolerance:literal) => {
+        #[test]
+        fn $test() {
+            use ga_cga::{Even, Motor};
+            use glam::{$Affine, $Matrix};
+
+            let axis = $Vector::new(0.6, 0.0, 0.8);
+            for step in 0..40 {
+                let angle = step as $number * 0.16;
+                let turn = $Quaternion::from_axis_angle(axis, angle);
+                let shift = $Vector::new(1.0, angle, -2.0);
+                let x = $Vector::new(0.3, -0.7, 1.1);
+
+                let matrix = $Matrix::from_rotation_translation(turn, shift);
+                let motor = Motor::try_from(matrix).expect("a motion");
+                let image = $Vector::from(motor.apply(Point::from(x)));
+                assert!((image - matrix.transform_point3(x)).length() < $tolerance);
+                let back = $Matrix::try_from(motor).expect("a motor");
+                assert!(back.abs_diff_eq(matrix, $tolerance));
+
+                let map = $Affine::from_rotation_translation(turn, shift);
+                let motor = Motor::try_from(map).expect("a motion");
+                let back = $Affine::try_from(motor).expect("a motor");
+                assert!(back.abs_diff_eq(map, $tolerance));
+
+                let scale = $Vector::splat(if step % 2 == 0 { 2.5 } else { -0.4 });
+                let matrix = $Matrix::from_scale_rotation_translation(scale, turn, shift);
+                let versor = Even::try_from(matrix).expect("a similarity");
+                let image = Point::from(x).image_under(versor).expect("a point");
+                let image = $Vector::from(image);
+                assert!((image - matrix.transform_point3(x)).length() < $tolerance);
+                let back = $Matrix::try_from(versor).expect("a similarity");
+                assert!(back.abs_diff_eq(matrix, $tolerance));
+                assert!(Motor::try_from(matrix).is_err());
+            }
+            assert!(Motor::try_from($Matrix::ZERO).is_err());
+            assert!($Matrix::try_from(Motor::<$number>::default()).is_err());
+        }
+    };
+}
+
+matrices!(matrices_in_single_precision f32 Mat4 Affine3A Vec3 Quat 1e-5);
+matrices!(matrices_in_double_precision f64 DMat4 DAffine3 DVec3 DQuat 1e-13);

@@ -4,8 +4,10 @@
 mod covariance;
 mod degenerate;
 mod drift;
+mod exponentials;
 #[cfg(feature = "nalgebra")]
 mod independent;
+mod interpolation;
 mod matrices;
 mod motions;
 mod random;

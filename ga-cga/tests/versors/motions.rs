@@ -221,3 +221,18 @@ fn motions_compose() {
         assert!((mirrors * mirrors.reverse() - Motor::identity()).norm() < 1e-13);
     }
 }
+
+/// Single precision goes the same ways.
+#[test]
+fn single_precision() {
+    let mut random = Random::new(20);
+    for _ in 0..1000 {
+        let [a, b] = [random.direction(), random.direction()].map(|v| v.map(|c| c as f32));
+        let rotor = Rotor::between(a, b).expect("not opposite");
+        assert!((rotor.apply(a) - b).norm() < 1e-6);
+        let motor = random.motor().map(|c| c as f32);
+        let matrix = motor.to_matrix().expect("a motor");
+        let back = Motor::from_matrix(matrix, 1e-5).expect("a rigid motion");
+        assert!(size(back - motor).min(size(back + motor)) < 3e-6);
+    }
+}

@@ -3,7 +3,7 @@
 use crate::random::Random;
 use ga_cga::{DualLine, DualPlane, DualSphere, FlatPoint, Line, Plane, Point, Scalar, Vector3};
 
-/// (2.26), (2.27): −b a b⁻¹ negates the part along b and keeps the part across.
+/// (2.26), (2.27), (2.29), (2.30): −b a b⁻¹ negates the projection on b and keeps the rejection.
 #[test]
 fn a_vector_reflects_as_2_27_says() {
     let mut random = Random::new(1);

@@ -37,7 +37,7 @@ fn unit(generator: PointPair) -> Result<PointPair, GalleryError> {
 
 fn motions() -> Result<[Motion; 3], GalleryError> {
     let center = at(-3.6, 0.0, -0.9);
-    let scaling = PointPair::from(center ^ ga_cga::DualSphere::infinity());
+    let scaling: PointPair = center ^ ga_cga::DualSphere::infinity();
     let [source, sink] = [at(0.0, 0.0, -0.9), at(0.0, 0.0, 1.9)];
     let axis = level([4.1, 0.0, 0.5], 1.0);
     Ok([
