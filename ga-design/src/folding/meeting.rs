@@ -9,7 +9,7 @@ const TANGENT: f64 = 1e-13;
 /// The places that three spheres have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Meeting {
-    /// Two places, mirror images in the plane of the centres. The second is on the side from
+    /// Two places, mirror images in the plane of the centres. The first is on the side from
     /// which the centres are seen in anticlockwise order.
     Two([Point; 2]),
     /// One place, where the spheres touch: it lies in the plane of the centres.
@@ -42,7 +42,7 @@ impl Meeting {
     ///
     /// let unit = |x, y| DualSphere::about(Point::at(x, y, 0.0), 1.0);
     /// let meeting = Meeting::of([unit(0.0, 0.0), unit(1.0, 0.0), unit(0.0, 1.0)]);
-    /// let Meeting::Two([below, above]) = meeting else { panic!("they meet twice") };
+    /// let Meeting::Two([above, below]) = meeting else { panic!("they meet twice") };
     /// let height = 0.5_f64.sqrt();
     /// assert!(above.distance(Point::at(0.5, 0.5, height)) < 1e-15);
     /// assert!(below.distance(Point::at(0.5, 0.5, -height)) < 1e-15);
