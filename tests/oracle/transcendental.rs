@@ -87,6 +87,9 @@ fn exponentials_in_the_null_basis() {
     exponential::<cga3::MinkowskiPlane>(&metric);
     exponential::<cga3::DualLine>(&metric);
     exponential::<cga3::PointPair>(&metric);
+    // With fixed coefficients.
+    exponential::<cga3::Point>(&metric);
+    exponential::<cga3::Translator>(&metric);
 }
 
 /// A unit bivector of the space.

@@ -220,6 +220,25 @@ macro_rules! general_inverse {
     };
 }
 
+/// Exponentials of types with fixed coefficients: that of the type of their sums.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! widened_exponential {
+    ($Name:ident => $Wide:ident) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T>
+        where
+            $Wide<T>: $crate::ops::Exponential + ::core::convert::From<$Name<T>>,
+        {
+            type Output = <$Wide<T> as $crate::ops::Exponential>::Output;
+            /// The exponential of the same element without fixed coefficients, at its cost.
+            #[inline]
+            fn exp(self) -> Self::Output {
+                $crate::ops::Exponential::exp($Wide::from(self))
+            }
+        }
+    };
+}
+
 /// Exponentials by scaling and squaring.
 #[doc(hidden)]
 #[macro_export]

@@ -19,6 +19,13 @@ use crate::poly::{Element, Poly};
 pub fn exponential(generator: &mut Generator<'_>, a: usize) {
     if generator.kind(a).has_fixed() {
         unipotent_functions(generator, a);
+        if let Some(sum) = generator.sums[a] {
+            let (name, wide) = (generator.name(a), generator.name(sum));
+            let _ = writeln!(
+                generator.source,
+                "algebra::widened_exponential! {{ {name} => {wide} }}"
+            );
+        }
         return;
     }
     let element = generator.general[a][0].clone();
