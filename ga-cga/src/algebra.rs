@@ -11,92 +11,49 @@ ga_macros::define_algebra! {
         basis { e1, e2, e3, no, ni }
         metric { e1^2 = 1, e2^2 = 1, e3^2 = 1, no.ni = -1 }
         types {
-            /// A Euclidean vector **a**, relative to the origin.
-            ///
-            /// Table 2.5: e₁, e₂, e₃, the Euclidean vectors; as duals the planes through the origin.
+            /// A Euclidean vector **a**, relative to the origin: e₁, e₂, e₃ of Table 2.5.
             Vector3 { e1, e2, e3 }
             /// A Euclidean bivector **B** = **a**∧**b**: a plane through the origin with an
-            /// orientation and an area.
-            ///
-            /// Table 2.5: e₁₂, e₁₃, e₂₃, the Euclidean bivectors; as duals the lines through the origin.
+            /// orientation and an area: e₁₂, e₁₃, e₂₃ of Table 2.5.
             Bivector3 { e12, e13, e23 }
-            /// A Euclidean trivector, a multiple of the volume **I**₃.
-            ///
-            /// Table 2.5: e₁₂₃, the Euclidean pseudoscalar; as a dual the flat point at the origin.
+            /// A Euclidean trivector, a multiple of the volume **I**₃: e₁₂₃ of Table 2.5.
             Trivector3 { e123 }
-            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44): a null vector.
-            ///
-            /// Table 2.5: the five vectors, of which n_o is the point at the origin and has the coefficient 1.
+            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o is the origin.
             Point { no = 1, e1, e2, e3, ni }
             /// A dual sphere σ = p − ½r² n_∞ (2.52) of any weight; with it every vector of the
-            /// algebra: points with a weight, dual planes, imaginary spheres.
-            ///
-            /// Table 2.5: all five vectors e₁, e₂, e₃, n_o, n_∞; n_∞ alone is the point at infinity.
+            /// algebra: points with a weight, dual planes, imaginary spheres; n_∞ is infinity.
             DualSphere { no, e1, e2, e3, ni }
-            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it.
-            ///
-            /// Table 2.5: the vectors without n_o.
+            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it: no n_o.
             DualPlane { e1, e2, e3, ni }
-            /// A point pair κ = a∧b (2.47), also the dual of a circle.
-            ///
-            /// Table 2.5: all ten blades of grade 2.
+            /// A point pair κ = a∧b (2.47), also the dual of a circle: all grade 2 of Table 2.5.
             PointPair = grade 2;
-            /// A flat point p∧n_∞: where three planes meet.
-            ///
-            /// Table 2.5: e₁n_∞, e₂n_∞, e₃n_∞ with E, which is the flat point at the origin.
+            /// A flat point p∧n_∞, where three planes meet: E and e₁n_∞, e₂n_∞, e₃n_∞.
             FlatPoint { e1^ni, e2^ni, e3^ni, no^ni }
-            /// A direction vector **t** n_∞, free of any place; the generator of translations.
-            ///
-            /// Table 2.5: e₁n_∞, e₂n_∞, e₃n_∞.
+            /// A direction vector **t** n_∞, which generates translations: e₁n_∞, e₂n_∞, e₃n_∞.
             DirectionVector { e1^ni, e2^ni, e3^ni }
-            /// A tangent vector n_o **t** at the origin; the generator of transversions.
-            ///
-            /// Table 2.5: e₁n_o, e₂n_o, e₃n_o.
+            /// A tangent vector n_o **t**, which generates transversions: e₁n_o, e₂n_o, e₃n_o.
             TangentVector { e1^no, e2^no, e3^no }
-            /// A dual line λ = **B** + **d** n_∞; the generator of motors.
-            ///
-            /// Table 2.5: the Euclidean bivectors e₁₂, e₁₃, e₂₃ with the directions e₁n_∞, e₂n_∞, e₃n_∞.
+            /// A dual line λ = **B** + **d** n_∞, which generates motors: e₁₂ … and e₁n_∞ ….
             DualLine { e12, e13, e23, e1^ni, e2^ni, e3^ni }
-            /// A multiple of the Minkowski plane E = n_o∧n_∞; the generator of dilations.
-            ///
-            /// Table 2.5: E = n_o∧n_∞, which is also the flat point at the origin.
+            /// A multiple of E = n_o∧n_∞, the Minkowski plane, which generates dilations.
             MinkowskiPlane { no^ni }
-            /// A circle K = a∧b∧c (2.48), also the dual of a point pair.
-            ///
-            /// Table 2.5: all ten blades of grade 3.
+            /// A circle K = a∧b∧c (2.48), also the dual of a point pair: all grade 3.
             Circle = grade 3;
-            /// A line Λ = a∧b∧n_∞ (2.50).
-            ///
-            /// Table 2.5: e₁E, e₂E, e₃E, the lines through the origin, with the direction bivectors
-            /// e₁₂n_∞, e₁₃n_∞, e₂₃n_∞.
+            /// A line Λ = a∧b∧n_∞ (2.50): e₁E, e₂E, e₃E and e₁₂n_∞, e₁₃n_∞, e₂₃n_∞.
             Line { e12^ni, e13^ni, e23^ni, e1^no^ni, e2^no^ni, e3^no^ni }
-            /// A direction bivector **B** n_∞.
-            ///
-            /// Table 2.5: e₁₂n_∞, e₁₃n_∞, e₂₃n_∞.
+            /// A direction bivector **B** n_∞: e₁₂n_∞, e₁₃n_∞, e₂₃n_∞ of Table 2.5.
             DirectionBivector { e12^ni, e13^ni, e23^ni }
-            /// A tangent bivector n_o **B** at the origin.
-            ///
-            /// Table 2.5: e₁₂n_o, e₁₃n_o, e₂₃n_o.
+            /// A tangent bivector n_o **B** at the origin: e₁₂n_o, e₁₃n_o, e₂₃n_o.
             TangentBivector { e12^no, e13^no, e23^no }
-            /// A sphere Σ = a∧b∧c∧d (2.49).
-            ///
-            /// Table 2.5: all five blades of grade 4.
+            /// A sphere Σ = a∧b∧c∧d (2.49): all grade 4 of Table 2.5.
             Sphere = grade 4;
-            /// A plane Π = a∧b∧c∧n_∞ (2.51).
-            ///
-            /// Table 2.5: e₁₂E, e₁₃E, e₂₃E, the planes through the origin, with the direction e₁₂₃n_∞.
+            /// A plane Π = a∧b∧c∧n_∞ (2.51): e₁₂E, e₁₃E, e₂₃E and e₁₂₃n_∞ of Table 2.5.
             Plane { e123^ni, e12^no^ni, e13^no^ni, e23^no^ni }
-            /// A direction trivector **I**₃ n_∞.
-            ///
-            /// Table 2.5: e₁₂₃n_∞.
+            /// A direction trivector **I**₃ n_∞: e₁₂₃n_∞ of Table 2.5.
             DirectionTrivector { e123^ni }
-            /// A tangent trivector n_o **I**₃ at the origin.
-            ///
-            /// Table 2.5: e₁₂₃n_o.
+            /// A tangent trivector n_o **I**₃ at the origin: e₁₂₃n_o of Table 2.5.
             TangentTrivector { e123^no }
-            /// A multiple of the pseudoscalar I = e₁₂₃ E.
-            ///
-            /// Table 2.5: I = e₁₂₃E, all of space.
+            /// A multiple of the pseudoscalar I = e₁₂₃ E: all of space.
             Pseudoscalar { e123^no^ni }
             /// A rotor e^{−θB/2}: a rotation by θ in the sense of B about the origin.
             Rotor { 1, e12, e13, e23 }

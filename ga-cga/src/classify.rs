@@ -26,6 +26,17 @@
 //! [`classify`] takes the reading of Table 2.6 (vectors are dual, all that can be direct is);
 //! [`classify_dual`] takes the other one.
 //!
+//! The 32 basis blades are examples of all of it (Table 2.5), with i ≠ j from 1, 2, 3:
+//!
+//! | grade | round or tangent | flat | dual of a flat | direction |
+//! |---|---|---|---|---|
+//! | 0 | | | 1, of space | |
+//! | 1 | n_o, the point at the origin | | eᵢ, of a plane | n_∞, infinity |
+//! | 2 | eᵢn_o, a tangent vector | E, a flat point | eᵢⱼ, of a line | eᵢn_∞, of lines |
+//! | 3 | eᵢⱼn_o, a tangent bivector | eᵢE, a line | e₁₂₃, of a flat point | eᵢⱼn_∞, of planes |
+//! | 4 | e₁₂₃n_o, a tangent trivector | eᵢⱼE, a plane | | e₁₂₃n_∞, of space |
+//! | 5 | | I = e₁₂₃E, space | | |
+//!
 //! # Tolerance
 //! [`Tolerance`] has a relative part τ, 256 roundings by default (5.7e−14 in `f64`), and the
 //! length that counts as ordinary, 1 by default. Multiplying an element by a number changes

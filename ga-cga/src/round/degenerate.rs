@@ -16,8 +16,6 @@ pub enum Degenerate {
     CollinearPoints,
     /// The four points are on one circle, and a sphere through them is not unique.
     CocircularPoints,
-    /// A direction or normal of length zero.
-    NoDirection,
     /// A coordinate is not finite, or so large that the element is not.
     NotFinite,
 }
@@ -28,7 +26,6 @@ impl fmt::Display for Degenerate {
             Degenerate::CoincidentPoints => "two of the points coincide",
             Degenerate::CollinearPoints => "the points are on one line",
             Degenerate::CocircularPoints => "the points are on one circle",
-            Degenerate::NoDirection => "the direction has length zero",
             Degenerate::NotFinite => "a coordinate is not finite or out of range",
         })
     }
