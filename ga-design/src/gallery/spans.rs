@@ -106,7 +106,7 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
     let [from, to] = ends;
     scene.add("meet", mesh::arrow(from, to, 0.05, 24)?, bright)?;
     scene.set_view(View {
-        azimuth: -1.2,
+        azimuth: -1.3,
         elevation: 0.5,
     })?;
     Ok(scene)
