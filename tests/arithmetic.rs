@@ -41,3 +41,26 @@ fn narrowing_asks_for_a_tolerance() {
     let strict: Result<Bivector, _> = nearly.narrow(1e-12);
     assert_eq!(strict.unwrap_err().blade, ga::core::Blade::SCALAR);
 }
+
+ga::define_algebra! {
+    /// Four oblique vectors whose products need fractions.
+    pub mod oblique4: R4 {
+        basis { a, b, c, d }
+        metric { a^2 = 1, b^2 = 3/2, c^2 = 2, d^2 = 1, a.b = 1/2, c.d = 1/3 }
+    }
+}
+
+/// Products that hand on to wider ones ask for fractions where those do.
+#[test]
+fn fractional_metrics_hand_products_on() {
+    use ga::core::Rational;
+    use oblique4::{Bivector, Even, Multivector, Vector};
+    let [one, two] = [1, 2].map(Rational::from);
+    let zero = Rational::ZERO;
+    let vector = Vector::new(one, two, zero, one);
+    let plane = Bivector::new(one, zero, two, zero, zero, one);
+    let whole: Multivector<Rational> = vector.geometric(Multivector::from(plane));
+    assert_eq!(whole, Multivector::from(vector.geometric(plane)));
+    let even: Even<Rational> = plane.geometric(Even::from(plane));
+    assert_eq!(even, plane.geometric(plane));
+}

@@ -63,7 +63,7 @@ ga_macros::define_algebra! {
             Motor { 1, e12, e13, e23, e1^ni, e2^ni, e3^ni, e123^ni }
             /// A dilator e^{−cE/2}: a scaling about the origin by e^{−c}.
             Dilator { 1, no^ni }
-            /// A transversor 1 − ½**v** n_o: an inversion, a translation by **v** and the
+            /// A transversor 1 − ½**v** n_o: an inversion, a translation by ½**v** and the
             /// inversion back.
             Transversor { 1 = 1, e1^no, e2^no, e3^no }
         }

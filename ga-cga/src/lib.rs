@@ -58,6 +58,10 @@
 //! assert_eq!(touch.center().unwrap().position(), Vector3::new(0.0, 0.0, 0.0));
 //! ```
 //!
+//! **What moves is a versor**: a product of vectors, applied alike to all of these elements.
+//! [`versor`] says which versor does what and of which type a product of two is, and
+//! [`interpolate`] finds the way between two of them, or between two elements.
+//!
 //! **Everything is measured by products**: distances and angles, projections and nearest points,
 //! of any element and any other ([`incidence`]).
 //!
@@ -78,7 +82,7 @@ pub mod interop;
 pub mod interpolate;
 pub mod round;
 pub mod tangent;
-mod versor;
+pub mod versor;
 
 pub use algebra::cga3;
 pub use algebra::cga3::*;
@@ -90,3 +94,4 @@ pub use direction::Direction;
 pub use flat::Flat;
 pub use round::{CircleOrLine, Degenerate, Round, SphereOrPlane, SplitPair};
 pub use tangent::Tangent;
+pub use versor::{ConformalRotor, OddVersor};

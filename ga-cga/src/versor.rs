@@ -18,6 +18,9 @@
 //! | scaling about a point | [`Even::scaling`](crate::Even::scaling) | [`Even`](crate::Even) |
 //! | transversion | [`Transversor::by`](crate::Transversor::by) | [`Transversor`](crate::Transversor) |
 //!
+//! Whatever else preserves circles and spheres is a [`ConformalRotor`], or, with a reflection,
+//! an [`OddVersor`].
+//!
 //! The type of a product is the smallest that holds it:
 //!
 //! | first ╲ second | rotor | translator | motor | dilator | transversor | plane, sphere |
@@ -32,6 +35,7 @@
 //!
 //! Long chains of products drift off the versors by rounding; `renormalized` brings them back.
 
+mod conformal_rotor;
 mod dilator;
 mod image;
 mod motor;
@@ -39,3 +43,5 @@ mod rotor;
 mod similarity;
 mod translator;
 mod transversor;
+
+pub use conformal_rotor::{ConformalRotor, OddVersor};

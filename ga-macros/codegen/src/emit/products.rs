@@ -317,6 +317,10 @@ fn widened(
     if result_type(generator, product, &element) != Some(result) {
         return None;
     }
+    // The caller asks for a ring, so what it calls must be content with one.
+    if !expression::is_integral(&Kernel::expanded(generator.onto_fields(result, &element))) {
+        return None;
+    }
     let words = format!("{} {}", generator.name(wide_a), generator.name(wide_b));
     Some(Call {
         form: "widened",
