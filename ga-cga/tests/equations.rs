@@ -1,0 +1,31 @@
+//! Every equation of chapter 2 of the dissertation that states a result, every row of its
+//! Table 2.6 and the algorithms of chapter 2 and appendix A, each by its number.
+//!
+//! Algebraic statements are tested on exact rationals, transcendental ones on floats with the
+//! tolerance that the test states. Where the print is wrong, the test holds the right form and
+//! says so.
+
+#[path = "equations/conformal_metric.rs"]
+mod conformal_metric;
+#[path = "equations/direct.rs"]
+mod direct;
+#[path = "equations/dual.rs"]
+mod dual;
+#[path = "equations/duality.rs"]
+mod duality;
+#[path = "equations/euclidean.rs"]
+mod euclidean;
+#[path = "equations/figures.rs"]
+mod figures;
+#[path = "equations/geometric_product.rs"]
+mod geometric_product;
+#[path = "equations/points.rs"]
+mod points;
+#[path = "equations/ratios.rs"]
+mod ratios;
+#[path = "equations/rounds.rs"]
+mod rounds;
+#[path = "equations/samples.rs"]
+mod samples;
+#[path = "equations/versors.rs"]
+mod versors;
