@@ -5,6 +5,8 @@
 //! tolerance that the test states. Where the print is wrong, the test holds the right form and
 //! says so.
 
+#[path = "equations/appendix_a.rs"]
+mod appendix_a;
 #[path = "equations/conformal_metric.rs"]
 mod conformal_metric;
 #[path = "equations/direct.rs"]
@@ -19,6 +21,10 @@ mod euclidean;
 mod figures;
 #[path = "equations/geometric_product.rs"]
 mod geometric_product;
+#[path = "equations/interpolation.rs"]
+mod interpolation;
+#[path = "equations/notation.rs"]
+mod notation;
 #[path = "equations/points.rs"]
 mod points;
 #[path = "equations/ratios.rs"]
@@ -27,5 +33,11 @@ mod ratios;
 mod rounds;
 #[path = "equations/samples.rs"]
 mod samples;
+#[path = "equations/table_2_6_elements.rs"]
+mod table_2_6_elements;
+#[path = "equations/table_2_6_transformations.rs"]
+mod table_2_6_transformations;
+#[path = "equations/transformations.rs"]
+mod transformations;
 #[path = "equations/versors.rs"]
 mod versors;
