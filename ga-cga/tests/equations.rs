@@ -4,6 +4,9 @@
 //! Algebraic statements are tested on exact rationals, transcendental ones on floats with the
 //! tolerance that the test states. Where the print is wrong, the test holds the right form and
 //! says so.
+//!
+//! No number from (2.1) to (2.71) is left out: (2.9), the Kronecker delta, states no result and
+//! stands with (2.8), which uses it, and (2.15) repeats (2.7).
 
 #[path = "equations/appendix_a.rs"]
 mod appendix_a;

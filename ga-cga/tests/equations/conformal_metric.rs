@@ -18,7 +18,7 @@ fn number(value: i128) -> Scalar<Rational> {
 }
 
 /// n_∞ = e₋ − e₊ and n_o = (e₋ + e₊)/2 are null and have inner product −1; the caption of
-/// Table 2.6 says otherwise and is wrong.
+/// Table 2.6 has them the wrong way round.
 #[test]
 fn equation_2_39_the_null_basis() {
     let [plus, minus]: [r1_1::Vector<Rational>; 2] = std::array::from_fn(unit);
@@ -35,9 +35,9 @@ fn equation_2_39_the_null_basis() {
     assert_eq!(origin() | origin(), number(0));
     assert_eq!(infinity() | infinity(), number(0));
     assert_eq!(origin() | infinity(), number(-1));
-    // The caption's n_o = (e₋ − e₊)/2, n_∞ = e₋ + e₊ has the same inner product: it is the
-    // same model seen through e₊ ↦ −e₊, so only (2.39) fits (2.40).
-    assert_ne!((minus - plus) * ratio(1, 2), origin());
+    // The caption exchanges them, up to a factor.
+    assert_eq!((minus - plus) * ratio(1, 2), infinity() * ratio(1, 2));
+    assert_eq!(minus + plus, origin() * ratio(2, 1));
 }
 
 /// e₊ = n_o − n_∞/2 and e₋ = n_o + n_∞/2 square to 1 and −1 and are orthogonal to each other

@@ -25,15 +25,15 @@ fn circles(samples: &mut Samples) -> [Circle; 2] {
 }
 
 /// R² = (B/A)/‖B/A‖: twice the transformation that takes a blade to another one of its kind,
-/// so that √R² takes A to B. The tolerance is 1e-8 for circles, 1e-12 for lines and planes.
+/// so that √R² takes A to B. The tolerance is 1e-13.
 #[test]
 fn equation_2_66_the_ratio_of_two_blades() {
     each(|samples| {
         let [first, second] = circles(samples);
         let square = (second / first).normalized().expect("a versor");
-        close(square, second / first, 1e-9);
+        close(square, second / first, 1e-13);
         let root = square.sqrt().expect("no opposite circles");
-        close(root.apply(first), second, 1e-8);
+        close(root.apply(first), second, 1e-13);
 
         let motor = motion(samples);
         let plane = DualPlane::at_distance(unit(0), samples.number());
@@ -41,7 +41,7 @@ fn equation_2_66_the_ratio_of_two_blades() {
         let root = (moved / plane)
             .sqrt()
             .expect("not the same plane turned over");
-        close(root.apply(plane), moved, 1e-12);
+        close(root.apply(plane), moved, 1e-13);
 
         let x = Point::from(samples.element::<Vector3>());
         let y = Point::from(samples.element::<Vector3>());
@@ -53,11 +53,11 @@ fn equation_2_66_the_ratio_of_two_blades() {
         let root = (moved / line)
             .sqrt()
             .expect("not the same line turned round");
-        close(root.apply(line), moved, 1e-12);
+        close(root.apply(line), moved, 1e-13);
     });
 }
 
-/// R_t = e^{t/2 log R²}; the print has −t/2, which is the inverse. The tolerance is 1e-8.
+/// R_t = e^{t/2 log R²}; the print has −t/2, which is the inverse. The tolerance is 1e-13.
 #[test]
 fn equation_2_67_interpolation_between_blades() {
     each(|samples| {
@@ -65,9 +65,9 @@ fn equation_2_67_interpolation_between_blades() {
         let logarithm = (second / first).log().expect("no opposite circles");
         let at = |t: f64| (logarithm * (t / 2.0)).exp();
         close(at(0.0), Even::from(Scalar::new(1.0)), 1e-15);
-        close(at(1.0).apply(first), second, 1e-8);
-        close(at(0.3) * at(0.45), at(0.75), 1e-9);
-        close(at(0.5).apply(at(0.5).apply(first)), second, 1e-8);
+        close(at(1.0).apply(first), second, 1e-13);
+        close(at(0.3) * at(0.45), at(0.75), 1e-13);
+        close(at(0.5).apply(at(0.5).apply(first)), second, 1e-13);
         let printed = (logarithm * -0.5).exp();
         let wrong: Circle = printed.apply(first);
         assert!(
@@ -112,21 +112,21 @@ fn simple(samples: &mut Samples) -> [(Even, PointPair); 3] {
     [a, b, c].map(|blade| (blade.exp(), blade))
 }
 
-/// log R = atanh2(⟨R⟩₂, ⟨R⟩) for simple rotors. The tolerance is 1e-9.
+/// log R = atanh2(⟨R⟩₂, ⟨R⟩) for simple rotors. The tolerance is 1e-13.
 #[test]
 fn equation_2_68_the_logarithm_of_a_simple_rotor() {
     each(|samples| {
         for (rotor, generator) in simple(samples) {
             let formula = atanh2(bivector(rotor), rotor.s).expect("the cosine is positive");
-            close(formula, generator, 1e-9);
-            close(rotor.log().expect("a principal one"), generator, 1e-9);
-            close(formula.exp(), rotor, 1e-9);
+            close(formula, generator, 1e-13);
+            close(rotor.log().expect("a principal one"), generator, 1e-13);
+            close(formula.exp(), rotor, 1e-13);
         }
     });
 }
 
 /// atanh2(s, c) by the sign of s²; for s² ≥ 0 and c < 0, where the print ignores c, there is
-/// no real logarithm, and that of −R acts the same. The tolerance is 1e-9.
+/// no real logarithm, and that of −R acts the same. The tolerance is 1e-13.
 #[test]
 fn equation_2_69_the_arc_of_a_sine_and_a_cosine() {
     each(|samples| {
@@ -139,28 +139,28 @@ fn equation_2_69_the_arc_of_a_sine_and_a_cosine() {
             assert_eq!(atanh2(bivector(negative), negative.s), None);
             assert_eq!(negative.log(), None);
             // The arc of the print, which ignores c, is −B: its exponential is R̃ and not −R.
-            close((-generator).exp(), rotor.reverse(), 1e-9);
+            close((-generator).exp(), rotor.reverse(), 1e-13);
             let point = Point::from(samples.element::<Vector3>());
             let image: ga_cga::DualSphere = rotor.sandwich(point);
-            close(negative.sandwich(point), image, 1e-9);
+            close(negative.sandwich(point), image, 1e-13);
         }
         // Any cosine will do for a turn.
         let [_, (turn, imaginary), _] = simple(samples);
         let negative = -turn;
         let formula = atanh2(bivector(negative), negative.s).expect("a turn");
-        close(formula.exp(), negative, 1e-9);
-        close(negative.log().expect("a turn"), formula, 1e-9);
+        close(formula.exp(), negative, 1e-13);
+        close(negative.log().expect("a turn"), formula, 1e-13);
         assert!(
             (formula ^ imaginary)
                 .to_array()
                 .iter()
-                .all(|c| c.abs() < 1e-6)
+                .all(|c| c.abs() < 1e-13)
         );
     });
 }
 
 /// −(π − atan2(√−s², c)) s/√−s² turns the other way round: it is the logarithm of −R. The
-/// tolerance is 1e-9.
+/// tolerance is 1e-13.
 #[test]
 fn equation_2_70_the_rotation_in_the_opposite_direction() {
     each(|samples| {
@@ -170,10 +170,10 @@ fn equation_2_70_the_rotation_in_the_opposite_direction() {
         let sine = bivector(rotor);
         let size = (-(sine * sine).s).sqrt();
         let opposite = sine * (-(std::f64::consts::PI - size.atan2(rotor.s)) / size);
-        close(opposite, imaginary * (angle - std::f64::consts::PI), 1e-9);
-        close(opposite.exp(), -rotor, 1e-9);
-        close((-rotor).log().expect("a turn"), opposite, 1e-9);
+        close(opposite, imaginary * (angle - std::f64::consts::PI), 1e-13);
+        close(opposite.exp(), -rotor, 1e-13);
+        close((-rotor).log().expect("a turn"), opposite, 1e-13);
         let x: Circle = samples.element();
-        close(opposite.exp().apply(x), rotor.apply(x), 1e-8);
+        close(opposite.exp().apply(x), rotor.apply(x), 1e-13);
     });
 }

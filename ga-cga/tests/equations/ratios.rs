@@ -32,14 +32,14 @@ fn equation_2_36_the_ratio_of_two_vectors_is_the_rotor_squared() {
 }
 
 /// R = √(ba), which takes a to b; no root is unique between opposite vectors. The tolerance is
-/// 1e-13.
+/// 1e-14.
 #[test]
 fn equation_2_37_the_rotor_is_the_root_of_the_ratio() {
     each(|samples| {
         let [a, b]: [r3::Vector; 2] = std::array::from_fn(|_| direction(samples));
         let root = (b * a).sqrt().expect("not opposite");
-        close(root, rotor_between(a, b), 1e-13);
-        close(root.apply(a), b, 1e-13);
+        close(root, rotor_between(a, b), 1e-14);
+        close(root.apply(a), b, 1e-14);
         let e: r3::Vector = unit(1);
         assert_eq!((e * -e).sqrt(), None);
     });
@@ -94,7 +94,7 @@ fn facing(v: r3::Vector) -> r3::Even {
 }
 
 /// Algorithm 2.1: the camera's z axis meets the target, its x axis is level and its y axis
-/// points up; the tolerance is 1e-12.
+/// points up; the tolerance is 1e-14.
 #[test]
 fn algorithm_2_1_camera_without_roll() {
     let [e1, e2, e3]: [r3::Vector; 3] = std::array::from_fn(unit);
@@ -103,13 +103,13 @@ fn algorithm_2_1_camera_without_roll() {
         let v = direction(samples);
         let camera = facing(v);
         let [x, y, z] = [e1, e2, e3].map(|axis| camera.apply(axis));
-        close(z, v, 1e-12);
-        near((x | e2).s, 0.0, 1e-12);
+        close(z, v, 1e-14);
+        near((x | e2).s, 0.0, 1e-14);
         assert!((y | e2).s > 0.0);
         // The classical frame: x = up × v, y = v × x.
         let level = (e2 ^ v).dual().normalized().expect("v is not e₂");
-        close(x, level, 1e-12);
-        close(y, (v ^ level).dual(), 1e-12);
+        close(x, level, 1e-14);
+        close(y, (v ^ level).dual(), 1e-14);
         // The first rotation alone rolls.
         let rolled = rotor_between(e3, v).apply(e1);
         rolls += usize::from((rolled | e2).s.abs() > 0.01);

@@ -190,20 +190,16 @@ fn table_2_6_dual_line() {
 #[test]
 fn table_2_6_plane() {
     each(|samples| {
-        let [a, b, c]: [Point<Rational>; 3] =
-            std::array::from_fn(|_| Point::from(position(samples)));
+        let figure = Circular::random(samples);
+        let [a, b, c, ..] = figure.points();
         let plane: Plane<Rational> = exactly(a ^ b ^ c ^ infinity());
+        has_grade(plane, 4);
         let [s, t]: [Rational; 2] = std::array::from_fn(|_| samples.number());
-        let inside =
-            a.position() + (b.position() - a.position()) * s + (c.position() - a.position()) * t;
+        let [to_b, to_c] = [b, c].map(|p| p.position() - a.position());
+        let inside = a.position() + to_b * s + to_c * t;
         assert_eq!(wide(Point::from(inside) ^ plane), zero());
-        if wide(plane) != zero() {
-            has_grade(plane, 4);
-            let normal = ((b.position() - a.position()) ^ (c.position() - a.position())).to_array();
-            let [e12, e13, e23] = normal;
-            let off = inside + Direction::new(e23, -e13, e12);
-            assert_ne!(wide(Point::from(off) ^ plane), zero());
-        }
+        let off = inside + figure.frame[2] * s;
+        assert_ne!(wide(Point::from(off) ^ plane), zero());
     });
 }
 
