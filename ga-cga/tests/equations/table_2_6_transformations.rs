@@ -8,7 +8,7 @@ use ga_cga::{
 };
 use ga_core::Rational;
 
-use super::figures::{Direction, ratio};
+use super::figures::{Direction, infinity, ratio};
 use super::samples::{Samples, close, each, unit};
 
 /// Three orthonormal directions, right-handed.
@@ -152,8 +152,9 @@ fn table_2_6_transversor() {
         let transversor: Transversor<Rational> = generator.exp();
         assert_eq!(TangentVector::from(transversor.to_array()), generator);
         let image: DualSphere<Rational> = transversor.apply(DualSphere::from(Point::from(x)));
-        let expected = inverted(inverted(x) + v * ratio(1, 2));
-        assert_eq!(image.center(), Some(Point::from(expected)));
+        let expected = Point::from(inverted(inverted(x) + v * ratio(1, 2)));
+        let weight = -(image | infinity()).s;
+        assert_eq!(image, DualSphere::from(expected) * weight);
 
         let [a, b, p]: [Point; 3] = from_fn(|_| Point::from(samples.element::<Vector3>()));
         let theta: f64 = samples.number();
