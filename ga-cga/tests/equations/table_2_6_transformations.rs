@@ -132,7 +132,7 @@ fn table_2_6_dilator() {
         let form = Even::from(Scalar::new(half.cosh())) - Even::from(flat * half.sinh());
         close(about, form, 1e-13);
         let image = about.apply(DualSphere::from(Point::from(x)));
-        close(center(image), p + (x - p) * (-c).exp(), 1e-12);
+        close(center(image), p + (x - p) * (-c).exp(), 1e-13);
     });
 }
 
