@@ -5,6 +5,8 @@
 //! [`Figure`]), and answers with what is really there: [`meet`] of two planes is a line, and a
 //! direction where they are parallel, and the plane itself where they are one.
 //!
+#![cfg_attr(doc, doc = include_str!("../pictures/meets.md"))]
+//!
 //! ```
 //! use ga_cga::{Classification, DualPlane, DualSphere, Line, Point, Shape, Vector3};
 //! use ga_cga::incidence::{angle, contains, distance, join, meet, nearest};

@@ -19,6 +19,8 @@
 //! assert!((Point::at(0.0, -1.0, 0.0) ^ circle).norm() < 1e-15);
 //! ```
 //!
+#![cfg_attr(doc, doc = include_str!("../pictures/covariance.md"))]
+//!
 //! # The elements, from the ground up
 //! **A point is a vector that squares to zero**, and a vector that does not is a sphere with its
 //! squared radius in the square ([`round`]). Spheres and planes ([`DualSphere`], [`DualPlane`])

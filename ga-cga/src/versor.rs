@@ -4,6 +4,9 @@
 //! X ↦ V X̂ V⁻¹ (2.28) with the grade involution for odd versors, for each kind of element, and
 //! keeps what the element is. A product acts from the right: `b * a` does `a` first.
 //!
+#![cfg_attr(doc, doc = include_str!("../pictures/motions.md"))]
+#![cfg_attr(doc, doc = include_str!("../pictures/conformal-motions.md"))]
+//!
 //! | transformation | made by | type |
 //! |---|---|---|
 //! | reflection in a plane | the [`DualPlane`](crate::DualPlane) itself | `DualPlane` |
