@@ -15,7 +15,6 @@ use std::collections::HashMap;
 
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
-use syn::spanned::Spanned;
 
 use crate::closure;
 use crate::errors::{Errors, Mistake};
@@ -182,7 +181,8 @@ fn module(model: &Model, structs: TokenStream, items: TokenStream) -> TokenStrea
         .any(is_deprecated)
         .then(|| quote!(#[allow(deprecated)]));
     // A path that leads nowhere is the path's mistake, not the whole call's.
-    let span = Span::call_site().located_at(core.span());
+    let first = core.segments.first().map(|segment| segment.ident.span());
+    let span = Span::call_site().located_at(first.unwrap_or_else(Span::call_site));
     let entry = quote_spanned!(span=> use #core as algebra;);
     quote! {
         #(#attributes)*
