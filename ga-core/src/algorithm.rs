@@ -3,9 +3,11 @@
 
 mod exponential;
 mod inverse;
+mod inverse_scaling;
 mod logarithm;
 mod normalise;
 mod parts;
+mod principal_root;
 mod separation;
 mod series;
 mod split;
@@ -14,10 +16,12 @@ mod study;
 
 pub use exponential::{bivector_exponential, motor_exponential};
 pub use inverse::adjugate;
+pub use inverse_scaling::{principal_logarithm, principal_square_root};
 pub use logarithm::{logarithm, motor_logarithm};
 pub(crate) use normalise::rounding_of;
 pub use normalise::{Commutators, over_norm, renormalise};
 pub use parts::{Bivectors, Fourvectors, Parts, Versors};
+pub use principal_root::Evens;
 pub use series::exponential;
 pub use split::{Split, split};
 pub use square_root::square_root;

@@ -1,9 +1,10 @@
 //! Exponentials, logarithms, square roots, polar normalisation and splits in every kind of metric
-//! of up to five dimensions, and exponentials in six.
+//! of up to five dimensions, and the iterated ones in six.
 
 mod accuracy;
 mod conformal;
 mod families;
+mod iterated;
 mod normalisation;
 mod numbers;
 mod refusals;

@@ -1,4 +1,4 @@
-//! Six dimensions: exponentials by scaling and squaring.
+//! Six dimensions: the algebras, and exponentials by scaling and squaring.
 
 use ga::core::ops::{Element, Exponential};
 
@@ -6,6 +6,7 @@ use crate::families::Random;
 use crate::space;
 use crate::space::{Space, error};
 
+ga::define_algebra!(R6);
 ga::define_algebra!(R3_3);
 ga::define_algebra!(R4_2);
 ga::define_algebra!(R2_4);
@@ -36,6 +37,7 @@ where
 
 #[test]
 fn exponentials() {
+    check::<r6::Bivector>(&space("R6", 6, 0, 0));
     check::<r3_3::Bivector>(&space("R3_3", 3, 3, 0));
     check::<r4_2::Bivector>(&space("R4_2", 4, 2, 0));
     check::<r2_4::Bivector>(&space("R2_4", 2, 4, 0));

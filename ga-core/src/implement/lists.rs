@@ -254,6 +254,31 @@ macro_rules! series_exponential {
     };
 }
 
+/// Logarithms and square roots by inverse scaling and squaring: the type, the type of all even
+/// elements and that of bivectors.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! iterated_functions {
+    ($Name:ident => $Even:ident $Bivector:ident $log:literal $sqrt:literal) => {
+        impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
+            type Output = $Bivector<T>;
+            #[doc = $log]
+            fn log(self) -> ::core::option::Option<$Bivector<T>> {
+                $crate::algorithm::principal_logarithm::<$Even<T>, _>($Even::from(self))
+            }
+        }
+        impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {
+            type Output = $Even<T>;
+            #[doc = $sqrt]
+            fn sqrt(self) -> ::core::option::Option<$Even<T>> {
+                $crate::algorithm::principal_square_root::<$Even<T>, $Bivector<T>>($Even::from(
+                    self,
+                ))
+            }
+        }
+    };
+}
+
 /// Exponentials and splits of bivectors: the type, the type of the exponential, and the types of
 /// commuting bivectors and of outer squares.
 #[doc(hidden)]

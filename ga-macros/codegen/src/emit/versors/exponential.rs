@@ -1,5 +1,6 @@
 //! Exponentials, logarithms and square roots: closed forms where the square of the generator is a
-//! scalar, the functions of commuting planes for other bivectors, a power series for the rest.
+//! scalar, the functions of commuting planes for other bivectors, a power series and iterated
+//! roots for the rest.
 
 mod commuting;
 
@@ -59,7 +60,12 @@ pub fn exponential(generator: &mut Generator<'_>, a: usize) {
             series_exponential(generator, a);
             planes.versor_functions(generator, a);
         }
-        _ => series_exponential(generator, a),
+        _ => {
+            series_exponential(generator, a);
+            if has_scalar {
+                iterated_functions(generator, a);
+            }
+        }
     }
 }
 
@@ -142,6 +148,38 @@ fn series_exponential(generator: &mut Generator<'_>, a: usize) {
     let _ = writeln!(
         generator.source,
         "algebra::series_exponential! {{ {name} => {output} }}"
+    );
+}
+
+/// `log` and `sqrt` of even elements without closed forms, on the smallest complete type.
+fn iterated_functions(generator: &mut Generator<'_>, a: usize) {
+    let even = generator.kind(a).parity() == Some(true);
+    let Some(whole) = parity_type(generator, a).filter(|_| even) else {
+        return;
+    };
+    let bivectors: Element = generator.general[whole][0]
+        .iter()
+        .filter(|(mask, _)| mask.count_ones() == 2)
+        .map(|(mask, poly)| (*mask, poly.clone()))
+        .collect();
+    let Some(bivector) = closure::smallest(generator.model, &bivectors) else {
+        return;
+    };
+    if !generator.model.products.contains(&Product::Geometric) {
+        return;
+    }
+    let log = " The principal logarithm of the versor over its norm, by inverse scaling and \
+               squaring: square roots until it is near 1, then the series of `arsinh`. `None` \
+               unless its turns add up to less than π, and for what is no versor. Cost: up to a \
+               few hundred products of even elements.";
+    let sqrt = " The principal square root: the exponential of half the logarithm, times the root \
+                of the norm. `None` as for the logarithm. Cost: that of the logarithm and of an \
+                exponential.";
+    let (name, whole) = (generator.name(a), generator.name(whole));
+    let bivector = generator.name(bivector);
+    let _ = writeln!(
+        generator.source,
+        "algebra::iterated_functions! {{ {name} => {whole} {bivector} {log:?} {sqrt:?} }}"
     );
 }
 
