@@ -207,7 +207,7 @@ pub trait Renormalize {
     /// The type of the versor.
     type Output;
     /// The unit versor `X (X X̃)^(−1/2)`, nearest to a versor that rounding has moved; `None`
-    /// where X X̃ has no inverse square root.
+    /// where X X̃ has no inverse square root, or no positive scalar part.
     fn renormalized(self) -> Option<Self::Output>;
 }
 

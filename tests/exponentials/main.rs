@@ -4,6 +4,7 @@
 mod accuracy;
 mod conformal;
 mod families;
+mod indefinite;
 mod iterated;
 mod normalisation;
 mod numbers;

@@ -19,8 +19,10 @@ pub struct Commutators<F, G> {
 }
 
 /// (X X̃)^(−1/2) X of an even element in up to five dimensions: a unit versor; `None` where
-/// X X̃ has no inverse square root.
+/// X X̃ has no inverse square root, or where its scalar part is not positive.
 ///
+/// X X̃ of a versor is a number but for rounding. With a negative one, rounding alone would
+/// decide whether there is a root, and in which direction.
 /// `commutators` are of the bivector and the four-vector part.
 #[inline]
 pub fn renormalise<T, X, A, Q, R>(
@@ -36,6 +38,9 @@ where
 {
     let parts = Parts::<T, A, Q>::of(element);
     let norm = parts.norm_squared(&commutators);
+    if !T::ZERO.all_le(norm.scalar) {
+        return None;
+    }
     parts.over_root(norm, &commutators).finite_sum()
 }
 

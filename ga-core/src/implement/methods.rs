@@ -115,7 +115,8 @@ macro_rules! element_methods {
             }
 
             /// The unit versor `X (X X̃)^(−1/2)`: removes the drift of rounding from any versor,
-            /// which dividing by the norm does not; `None` where X X̃ has no inverse square root.
+            /// which dividing by the norm does not; `None` where X X̃ has no inverse square root, or
+            /// no positive scalar part.
             #[inline]
             pub fn renormalized(self) -> ::core::option::Option<<Self as $crate::ops::Renormalize>::Output>
             where
