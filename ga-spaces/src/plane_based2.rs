@@ -13,6 +13,19 @@
 //! assert_eq!((diagonal ^ falling).place(), Place::Point(Point::at(1.0, 1.0)));
 //! ```
 //!
+//! The logarithm of a motion is its centre times minus half its angle:
+//!
+//! ```
+//! use ga_spaces::plane_based2::{Motor, Place, Translator, WeightedPoint};
+//! use ga_spaces::plane_based2::Point;
+//!
+//! let motion: Motor = Translator::by(2.0, 0.0) * Motor::about(Point::at(0.0, 0.0), 1.0);
+//! let generator: WeightedPoint = motion.log().unwrap();
+//! assert!((generator.e12 + 0.5).abs() < 1e-15);
+//! let Place::Point(centre) = generator.place() else { panic!("a turn has a centre") };
+//! assert!(motion.apply(centre).distance(centre) < 1e-15);
+//! ```
+//!
 //! Sources: Gunn, *Geometric Algebras for Euclidean Geometry* (2017); Dorst and De Keninck,
 //! *A Guided Tour to the Plane-Based Geometric Algebra PGA* (2022).
 

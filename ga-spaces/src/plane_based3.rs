@@ -13,7 +13,16 @@
 //! let screw: Motor = Translator::by(0.0, 0.0, 2.0) * quarter;
 //! let image: Point = screw.apply(Point::at(2.0, 0.0, 0.0));
 //! assert!(image.distance(Point::at(1.0, 1.0, 2.0)) < 1e-15);
+//!
+//! // The logarithm is the line of the screw; a fraction of it is a fraction of the motion.
+//! let generator: Line = screw.log().unwrap();
+//! let half: Point = Motor::screw(generator * 0.5).apply(Point::at(2.0, 0.0, 0.0));
+//! let corner = core::f64::consts::FRAC_1_SQRT_2;
+//! assert!(half.distance(Point::at(1.0 + corner, corner, 1.0)) < 1e-15);
 //! ```
+//!
+//! A [`Motor`] and its negative are the same motion, and `log` and `sqrt` take the sign as it is:
+//! of a rotation by θ about a line L, in (−2π, 2π), the logarithm is −θL/2.
 //!
 //! Sources: Gunn, *Geometric Algebras for Euclidean Geometry* (2017); Dorst and De Keninck,
 //! *A Guided Tour to the Plane-Based Geometric Algebra PGA* (2022).

@@ -161,6 +161,41 @@ proptest! {
         near(image.to_array(), turned.into(), 1e-12)?;
     }
 
+    /// The logarithm of a motor built from an isometry is the line of its screw: the axis times
+    /// minus half the angle, and minus half the shift along it; and back.
+    #[test]
+    fn logarithms_of_motors_are_screws(
+        through in position(), along in direction(), angle in -6.2..6.2_f64, pitch in -3.0..3.0_f64, x in position(),
+    ) {
+        prop_assume!(angle.abs() > 1e-3);
+        let axis = Unit::new_normalize(Vector3::from(along));
+        let to = Translation3::from(Vector3::from(through));
+        let turn = UnitQuaternion::from_axis_angle(&axis, angle);
+        let shift = Vector3::from(axis.into_inner() * pitch);
+        let isometry: Isometry3<f64> = Translation3::from(shift) * (to * turn * to.inverse());
+        let [dx, dy, dz]: Space = isometry.translation.vector.into();
+        let rotor = Rotor::about(OriginLine::new(axis.x, axis.y, axis.z), angle).expect("an axis");
+        let motor: Motor = Translator::by(dx, dy, dz) * rotor;
+        let log: Line = motor.log().expect("no full turn");
+        // Direction and moment of the axis, by vector geometry alone.
+        let moment = Vector3::from(through).cross(&axis) * angle + shift;
+        let expected = axis.into_inner() * (-0.5 * angle);
+        near([log.e23, log.e31, log.e12], expected.into(), 1e-12)?;
+        near([log.e01, log.e02, log.e03], (moment * -0.5).into(), 1e-9)?;
+        let back = Motor::screw(log);
+        for (a, b) in back.to_array().into_iter().zip(motor.to_array()) {
+            close(a, b, 1e-12)?;
+        }
+        // The root moves half of the way, twice.
+        let root = motor.sqrt().expect("no full turn");
+        let once: Point = root.apply(point(x));
+        let half = Translation3::from(shift * 0.5)
+            * (to * UnitQuaternion::from_axis_angle(&axis, 0.5 * angle) * to.inverse());
+        near(once.to_array(), (half * Point3::from(x)).coords.into(), 1e-9)?;
+        let twice: Point = root.apply(once);
+        near(twice.to_array(), (isometry * Point3::from(x)).coords.into(), 1e-9)?;
+    }
+
     /// Reflection in a plane, and in two planes one after the other.
     #[test]
     fn planes_reflect(through in position(), normal in direction(), x in position()) {
@@ -213,6 +248,16 @@ proptest! {
         let (sin, cos) = angle.sin_cos();
         close(image.e20, a[0] + cos * dx - sin * dy, 1e-12)?;
         close(image.e01, a[1] + sin * dx + cos * dy, 1e-12)?;
+        let motor = flat::Motor::about(p, angle);
+        let log = motor.log().expect("no full turn");
+        close(log.e12, -0.5 * angle, 1e-12)?;
+        close(log.e20, -0.5 * angle * a[0], 1e-11)?;
+        close(log.e01, -0.5 * angle * a[1], 1e-11)?;
+        let root = motor.sqrt().expect("no full turn");
+        let half = flat::Motor::about(p, 0.5 * angle);
+        for (a, b) in root.to_array().into_iter().zip(half.to_array()) {
+            close(a, b, 1e-11)?;
+        }
         let moved: flat::Point = flat::Translator::by(a[0], a[1]).apply(q);
         close(moved.e20, a[0] + b[0], 1e-13)?;
         close(moved.e01, a[1] + b[1], 1e-13)?;
@@ -223,6 +268,35 @@ proptest! {
         let level = flat::Line::new(0.0, 1.0, 0.0);
         close(level.angle(line).expect("finite"), dy.atan2(dx).abs(), 1e-11)?;
     }
+}
+
+/// Translations have the line at infinity as logarithm, the identity zero, and minus the identity
+/// none, as minus a translation.
+#[test]
+fn logarithms_of_translations() {
+    for shift in [
+        [1.0, -2.0, 0.5],
+        [1e-9, 0.0, 3e-9],
+        [4e5, 1e5, -7e5],
+        [0.0; 3],
+    ] {
+        let [x, y, z] = shift;
+        let motor = Motor::from(Translator::by(x, y, z));
+        let generator = IdealLine::new(-0.5 * x, -0.5 * y, -0.5 * z);
+        assert_eq!(motor.log(), Some(Line::from(generator)));
+        assert_eq!(Translator::by(x, y, z).log(), Some(generator));
+        assert_eq!(Motor::screw(Line::from(generator)), motor);
+        let half = Motor::from(Translator::by(0.5 * x, 0.5 * y, 0.5 * z));
+        assert_eq!(motor.sqrt(), Some(half));
+        assert_eq!((-motor).log(), None);
+        assert_eq!((-motor).sqrt(), None);
+        let flat = flat::Motor::from(flat::Translator::by(x, y));
+        let direction = flat::Direction::new(0.5 * y, -0.5 * x);
+        assert_eq!(flat.log(), Some(flat::WeightedPoint::from(direction)));
+        assert_eq!((-flat).log(), None);
+    }
+    assert_eq!(Motor::<f64>::default().log(), None);
+    assert_eq!(flat::Motor::<f64>::default().sqrt(), None);
 }
 
 /// Parallel lines have a distance, also where they coincide; anti-parallel ones too.
