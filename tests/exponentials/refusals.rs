@@ -37,6 +37,27 @@ fn minus_one_is_not_unique() {
     refuses(-unit::<r4::Even>(7));
 }
 
+/// The rounding of grade 4 must not choose one of the many planes that commute with the boost.
+#[test]
+fn rounding_does_not_choose_a_logarithm() {
+    let mut random = Random::new(53);
+    for _ in 0..2_000 {
+        let mut point = || {
+            let [x, y, z] = [(); 3].map(|()| 2.0 * random.number());
+            cga3::Point::new(x, y, z, (x * x + y * y + z * z) / 2.0)
+        };
+        let (from, to) = (point(), point());
+        let Some(pair) = from.wedge(to).normalized() else {
+            continue;
+        };
+        for size in [0.05, 0.3, 1.0, 3.0] {
+            let boost = (pair * size).exp();
+            assert!(boost.log().is_some() && boost.sqrt().is_some());
+            refuses(-boost);
+        }
+    }
+}
+
 #[test]
 fn minus_a_boost_or_a_null_versor_has_none() {
     let boost = r1_3::Bivector::from([0.7, 0.2, 0.0, 0.0, 0.0, 0.0]).exp();

@@ -18,6 +18,17 @@ where
     Q: Fourvectors<A, Number = T>,
     R: Versors<A, Q, Number = T>,
 {
+    exponential_parts::<T, A, Q>(bivector).sum()
+}
+
+/// The exponential of a bivector, by grades.
+#[inline]
+pub(super) fn exponential_parts<T, A, Q>(bivector: A) -> Parts<T, A, Q>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
     let outer: Q = outer_square(bivector);
     let (square, outer_square) = (
         bivector.scalar_product(bivector),
@@ -45,17 +56,16 @@ where
     let outer: Q = outer_square(bivector);
     let square = Dual::variable(bivector.scalar_product(bivector));
     let (cosh, sinhc) = square.cosh_sinhc();
-    assembled(bivector, outer, [cosh.re, cosh.eps], [sinhc.re, sinhc.eps])
+    assembled(bivector, outer, [cosh.re, cosh.eps], [sinhc.re, sinhc.eps]).sum()
 }
 
 /// `c + c′ W + (s + s′ W) B`.
 #[inline]
-fn assembled<T, A, Q, R>(bivector: A, outer: Q, cosh: [T; 2], sinhc: [T; 2]) -> R
+fn assembled<T, A, Q>(bivector: A, outer: Q, cosh: [T; 2], sinhc: [T; 2]) -> Parts<T, A, Q>
 where
     T: Real,
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
-    R: Versors<A, Q, Number = T>,
 {
     let turned = turned(outer, bivector);
     Parts {
@@ -63,5 +73,4 @@ where
         bivector: bivector.geometric(sinhc[0]) + turned.geometric(sinhc[1]),
         fourth: outer.geometric(cosh[1]),
     }
-    .sum()
 }

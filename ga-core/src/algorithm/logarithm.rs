@@ -1,5 +1,6 @@
 //! Principal logarithms of even versors in up to five dimensions.
 
+use super::exponential::exponential_parts;
 use super::normalise::Commutators;
 use super::parts::{Bivectors, Fourvectors, Parts, finite, outer_square, turned};
 use super::separation::{Separation, Values};
@@ -43,6 +44,8 @@ where
             })
         },
     )?;
+    let back = || exponential_parts(logarithm.bivector);
+    unit.is_led_back_to(back).then_some(())?;
     finite(logarithm.bivector)
 }
 

@@ -124,6 +124,47 @@ where
         }
     }
 
+    /// Whether what was computed from this unit versor leads back to it, up to what an
+    /// ill-conditioned function may lose: somewhat more than half of the digits of the largest
+    /// coefficients.
+    ///
+    /// It is asked where the scalar is below −1. Minus a boost is there, whose planes are left
+    /// open: the rounding of its four-vector part would choose them, and not well.
+    pub(super) fn is_led_back_to(self, back: impl FnOnce() -> Self) -> bool {
+        if (-T::ONE - T::EPSILON.sqrt()).all_le(self.scalar) {
+            return true;
+        }
+        let back = back();
+        let sizes = |parts: &Self| {
+            let bivector = sum_of(&parts.bivector, |x| x.abs());
+            parts.scalar.abs() + bivector + sum_of(&parts.fourth, |x| x.abs())
+        };
+        let difference = Parts {
+            scalar: self.scalar - back.scalar,
+            bivector: self.bivector - back.bivector,
+            fourth: self.fourth - back.fourth,
+        };
+        let tolerance = T::EPSILON.sqrt() * T::from_integer(16);
+        sizes(&difference).all_le(sizes(&self) * tolerance)
+    }
+
+    /// The product of a versor with itself, whose four-vector and bivector commute.
+    pub(super) fn squared(self) -> Self {
+        let Parts {
+            scalar,
+            bivector,
+            fourth,
+        } = self;
+        let twice = scalar + scalar;
+        let turned = turned(fourth, bivector);
+        let squares = bivector.scalar_product(bivector) + fourth.scalar_product(fourth);
+        Parts {
+            scalar: scalar * scalar + squares,
+            bivector: bivector.geometric(twice) + turned + turned,
+            fourth: fourth.geometric(twice) + outer_square(bivector),
+        }
+    }
+
     /// The sum of the parts, if it is finite.
     #[inline]
     pub(super) fn finite_sum<R: Versors<A, Q, Number = T>>(self) -> Option<R> {

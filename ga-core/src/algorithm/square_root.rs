@@ -48,11 +48,17 @@ where
             })
         },
     )?;
+    let root = Parts {
+        scalar: root.even.scalar,
+        bivector: root.bivector,
+        fourth: separation.fourth.geometric(root.even.fourth),
+    };
+    unit.is_led_back_to(|| root.squared()).then_some(())?;
     let length = norm.sqrt();
     Parts {
-        scalar: root.even.scalar * length,
+        scalar: root.scalar * length,
         bivector: root.bivector.geometric(length),
-        fourth: separation.fourth.geometric(root.even.fourth * length),
+        fourth: root.fourth.geometric(length),
     }
     .finite_sum()
 }
