@@ -67,7 +67,7 @@ pub fn define_algebra(input: TokenStream) -> TokenStream {
 ///
 /// ```
 /// let source: &'static str = ga_macros::algebra_source!(R2);
-/// assert!(source.contains("impl<T: Number> Wedge<Vector<T>> for Vector<T>"));
+/// assert!(source.contains("fn wedge(self, b: Vector<T>) -> Bivector<T>"));
 /// ```
 #[proc_macro]
 pub fn algebra_source(input: TokenStream) -> TokenStream {

@@ -202,5 +202,5 @@ macro_rules! there_and_back {
 there_and_back! {
     motors_are_undone 100_000 |random| random.motor();
     inversions_are_undone 100_000 |random| random.sphere();
-    general_versors_are_undone 5_000 |random| random.even();
+    general_versors_are_undone 100_000 |random| random.even();
 }
