@@ -81,8 +81,9 @@ where
 {
     let a = A::from_fn(|position| 0.5 + position as f32);
     let b = B::from_fn(|position| 0.5 + position as f64);
-    assert!(1.5 * a == a * 1.5);
-    assert!(1.5 * b == b * 1.5 && 1.5 * &b == b * 1.5);
+    let (single, double) = (a * 1.5, b * 1.5);
+    assert!(1.5 * a == single);
+    assert!(1.5 * b == double && 1.5 * &b == double);
 }
 
 /// Division, the dual and numbers on the left, on types of the Euclidean space.
