@@ -1,0 +1,62 @@
+//! Which algorithm exponentiates a type, and how bivectors are split.
+
+/// Exponentials of types with fixed coefficients: that of the type of their sums.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! widened_exponential {
+    ($Name:ident => $Wide:ident) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T>
+        where
+            $Wide<T>: $crate::ops::Exponential + ::core::convert::From<$Name<T>>,
+        {
+            type Output = <$Wide<T> as $crate::ops::Exponential>::Output;
+            /// The exponential of the same element without fixed coefficients, at its cost.
+            #[inline]
+            fn exp(self) -> Self::Output {
+                $crate::ops::Exponential::exp($Wide::from(self))
+            }
+        }
+    };
+}
+
+/// Exponentials by scaling and squaring.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! series_exponential {
+    ($Name:ident => $Output:ident) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
+            type Output = $Output<T>;
+            /// The exponential, by scaling and squaring its power series.
+            fn exp(self) -> $Output<T> {
+                $crate::algorithm::exponential($Output::from(self))
+            }
+        }
+    };
+}
+
+/// Exponentials and splits of bivectors: the type, the type of the exponential, and the types of
+/// commuting bivectors and of outer squares.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! bivector_functions {
+    ($algorithm:ident $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal $split:literal) => {
+        impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
+            type Output = $Versor<T>;
+            #[doc = $doc]
+            #[inline]
+            fn exp(self) -> $Versor<T> {
+                $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(
+                    self,
+                ))
+            }
+        }
+        impl<T: $crate::Real> $crate::ops::SplitCommuting for $Name<T> {
+            type Output = $Bivector<T>;
+            #[doc = $split]
+            #[inline]
+            fn split_commuting(self) -> $crate::algorithm::Split<$Bivector<T>> {
+                $crate::algorithm::split::<T, $Bivector<T>, $Fourth<T>>($Bivector::from(self))
+            }
+        }
+    };
+}

@@ -1,0 +1,72 @@
+//! Which algorithm inverts a type, and quotients by what is inverted.
+
+/// Inverses of types whose `X X̃` is a scalar.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! inverse {
+    ($Name:ident => $Output:ident $doc:literal) => {
+        impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
+            type Number = T;
+            type Output = $Output<T>;
+            /// The squared norm `X X̃`, at the cost of `norm_squared`.
+            #[inline]
+            fn determinant(self) -> T {
+                $crate::ops::NormSquared::norm_squared(self)
+            }
+            #[doc = $doc]
+            #[inline]
+            fn adjugate(self) -> $Output<T> {
+                $Output::from($crate::ops::Reverse::reverse(self))
+            }
+            /// The adjugate times a number, one multiplication a coefficient.
+            #[inline]
+            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                adjugate * factor
+            }
+        }
+    };
+}
+
+/// Inverses by the Faddeev–LeVerrier algorithm on the whole algebra.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! general_inverse {
+    ($Name:ident => $Output:ident in $All:ident $count:literal $doc:literal) => {
+        impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
+            type Number = T;
+            type Output = $Output<T>;
+            #[doc = $doc]
+            #[inline]
+            fn determinant(self) -> T {
+                $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).1
+            }
+            #[doc = $doc]
+            fn adjugate(self) -> $Output<T> {
+                $crate::convert::pick(
+                    $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).0,
+                )
+            }
+            /// The adjugate times a number, one multiplication a coefficient.
+            #[inline]
+            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                adjugate * factor
+            }
+        }
+    };
+}
+
+/// Quotients `a b⁻¹`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! quotients {
+    ($Left:ident: $($Right:ident $doc:literal),*) => {$(
+        impl<T: $crate::Field> $crate::ops::Quotient<$Right<T>> for $Left<T> {
+            type Output = <$Left<T> as $crate::ops::Geometric<<$Right<T> as $crate::ops::Inverse>::Output>>::Output;
+            #[doc = $doc]
+            #[inline]
+            fn quotient(self, b: $Right<T>) -> Self::Output {
+                $crate::ops::Geometric::geometric(self, $crate::ops::Inverse::reciprocal(b))
+            }
+        }
+    )*};
+}
