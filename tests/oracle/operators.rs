@@ -225,33 +225,29 @@ impl<A: Element<Number = Rational>, B: Element<Number = Rational>> NoSum for Pai
 
 /// The operators of a pair with a value on the right.
 macro_rules! check_operators {
-    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
-        type Q = ga::core::Rational;
-        #[allow(unused_imports, reason = "used by pairs without some operator")]
-        use crate::operators::{NoOperator, NoQuotient};
-        let pair = crate::operation::Pair::<$module::$A<Q>, $module::$B<Q>>::new();
-        pair.times($oracle);
-        pair.outer($oracle);
-        pair.dot($oracle);
-        pair.meet($oracle);
-        pair.contract($oracle);
-        pair.over($oracle);
-    }};
+    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {
+        crate::operators::each_operator!($oracle, $module, $A, $B:
+            times outer dot meet contract over)
+    };
 }
 
 /// The operators of a pair with a reference on the right.
 macro_rules! check_references {
-    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {{
+    ($oracle:ident, $module:ident, $A:ident, $B:ident) => {
+        crate::operators::each_operator!($oracle, $module, $A, $B:
+            times_reference outer_reference dot_reference meet_reference contract_reference
+            over_reference)
+    };
+}
+
+/// These operators of a pair, or that they are missing.
+macro_rules! each_operator {
+    ($oracle:ident, $module:ident, $A:ident, $B:ident: $($operator:ident)*) => {{
         type Q = ga::core::Rational;
         #[allow(unused_imports, reason = "used by pairs without some operator")]
         use crate::operators::{NoOperator, NoQuotient};
         let pair = crate::operation::Pair::<$module::$A<Q>, $module::$B<Q>>::new();
-        pair.times_reference($oracle);
-        pair.outer_reference($oracle);
-        pair.dot_reference($oracle);
-        pair.meet_reference($oracle);
-        pair.contract_reference($oracle);
-        pair.over_reference($oracle);
+        $(pair.$operator($oracle);)*
     }};
 }
 
@@ -264,4 +260,4 @@ macro_rules! check_sums {
         crate::operation::Pair::<$module::$A<Q>, $module::$B<Q>>::new().sums($oracle);
     }};
 }
-pub(crate) use {check_operators, check_references, check_sums};
+pub(crate) use {check_operators, check_references, check_sums, each_operator};
