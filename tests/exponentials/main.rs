@@ -6,6 +6,8 @@ mod conformal;
 mod families;
 mod indefinite;
 mod iterated;
+#[path = "../metrics/conformal.rs"]
+mod metrics;
 mod normalisation;
 mod numbers;
 mod refusals;
@@ -18,6 +20,7 @@ use ga::cga::cga3;
 use ga::core::{Metric, Rational};
 
 use crate::accuracy::{check, check_series, check_single};
+use crate::metrics::null_basis;
 use crate::space::Space;
 
 ga::define_algebra!(R2);
@@ -68,15 +71,6 @@ fn four_oblique() -> Space {
 
 /// The conformal model in its null basis.
 pub fn conformal_space() -> Space {
-    let gram = [
-        [1, 0, 0, 0, 0],
-        [0, 1, 0, 0, 0],
-        [0, 0, 1, 0, 0],
-        [0, 0, 0, 0, -1],
-        [0, 0, 0, -1, 0],
-    ];
-    let gram = gram.map(|row| row.map(Rational::from).to_vec()).to_vec();
-    let metric = Metric::new(["e1", "e2", "e3", "no", "ni"], gram).expect("symmetric");
     let frame: [&[f64]; 5] = [
         &[1.0, 0.0, 0.0, 0.0, 0.0],
         &[0.0, 1.0, 0.0, 0.0, 0.0],
@@ -84,7 +78,7 @@ pub fn conformal_space() -> Space {
         &[0.0, 0.0, 0.0, 1.0, -0.5],
         &[0.0, 0.0, 0.0, 1.0, 0.5],
     ];
-    Space::new("cga3", &metric, &frame)
+    Space::new("cga3", &null_basis(), &frame)
 }
 
 #[test]

@@ -1,25 +1,14 @@
 //! The conformal model in its null basis: every pair of its types.
 
 use ga::cga::cga3;
-use ga::core::{Metric, Rational};
 
 use crate::conversions::{check_conversions, check_masks};
 use crate::divisions::check_divisions;
+use crate::metrics::null_basis;
 use crate::operators::{check_operators, check_references, check_sums};
 use crate::products::check_products;
 use crate::unary::{check_duals, check_unary};
 use crate::versors::check_versors;
-
-/// The Euclidean vectors, then n_o and n_∞ with n_o·n_∞ = −1.
-fn metric() -> Metric {
-    let mut gram = vec![vec![Rational::ZERO; 5]; 5];
-    for (index, row) in gram.iter_mut().enumerate().take(3) {
-        row[index] = Rational::ONE;
-    }
-    gram[3][4] = -Rational::ONE;
-    gram[4][3] = -Rational::ONE;
-    Metric::new(["e1", "e2", "e3", "no", "ni"], gram).expect("symmetric")
-}
 
 const UNITS: [&str; 2] = ["Translator", "Transversor"];
 
@@ -38,7 +27,7 @@ macro_rules! with_types {
 
 macro_rules! kinds {
     ($oracle:ident, $module:ident, $types:tt, $check:ident) => {
-        let mut $oracle = oracle!($module metric(), units UNITS, $types);
+        let mut $oracle = oracle!($module null_basis(), units UNITS, $types);
         $oracle.embeddings = &[("Vector3", "Point")];
     };
 }
@@ -73,7 +62,7 @@ fn single_operands_and_laws() {
     with_types!(oracle, each_type, check_unary);
     with_types!(oracle, each_type, check_duals);
     check_masks!(oracle, cga3);
-    type Q = Rational;
+    type Q = ga::core::Rational;
     type M = cga3::Multivector<Q>;
     crate::laws::products::<M>(&oracle);
     crate::laws::duals::<M>(&oracle);

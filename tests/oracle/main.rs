@@ -10,6 +10,8 @@ mod conversions;
 mod divisions;
 mod kind;
 mod laws;
+#[path = "../metrics/conformal.rs"]
+mod metrics;
 mod nine_dimensions;
 mod oblique;
 mod operation;

@@ -8,6 +8,7 @@ use ga::core::dense::Algebra;
 use ga::core::ops::*;
 use ga::core::{Blade, Metric};
 
+use crate::metrics::null_basis;
 use crate::presets::{r0_2, r1_3, r2, r3, r3_0_1, r4_1};
 use crate::samples::Samples;
 use crate::six_dimensions::{r3_3, r6};
@@ -71,16 +72,7 @@ fn exponentials_are_those_of_the_dense_algebra() {
 
 #[test]
 fn exponentials_in_the_null_basis() {
-    use ga::core::Rational;
-    let gram = [
-        [1, 0, 0, 0, 0],
-        [0, 1, 0, 0, 0],
-        [0, 0, 1, 0, 0],
-        [0, 0, 0, 0, -1],
-        [0, 0, 0, -1, 0],
-    ];
-    let gram = gram.map(|row| row.map(Rational::from).to_vec()).to_vec();
-    let metric = Metric::new(["e1", "e2", "e3", "no", "ni"], gram).expect("symmetric");
+    let metric = null_basis();
     exponential::<cga3::Bivector3>(&metric);
     exponential::<cga3::DirectionVector>(&metric);
     exponential::<cga3::TangentVector>(&metric);
