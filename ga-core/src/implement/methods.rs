@@ -7,7 +7,10 @@ macro_rules! element_methods {
     ($Name:ident $Sum:ident { $($field:ident $label:literal $mask:literal $sign:literal,)* }) => {
         impl<T> $Name<T> {
             /// The element with these coefficients, in the order of the fields.
-            #[allow(clippy::too_many_arguments)]
+            #[allow(
+                clippy::too_many_arguments,
+                reason = "one argument a field, as many as the type was declared with"
+            )]
             #[inline]
             pub const fn new($($field: T),*) -> Self {
                 Self { $($field),* }
