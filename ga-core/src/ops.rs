@@ -206,8 +206,11 @@ pub trait SquareRoot: Sized {
 pub trait Renormalize {
     /// The type of the versor.
     type Output;
-    /// The unit versor `X (X X̃)^(−1/2)`, nearest to a versor that rounding has moved; `None`
+    /// The unit versor `(X X̃)^(−1/2) X`, nearest to a versor that rounding has moved; `None`
     /// where X X̃ has no inverse square root, or no positive scalar part.
+    ///
+    /// The factor stands on the left: in five dimensions X X̃ need not commute with X, and
+    /// `X (X X̃)^(−1/2)` is then no versor.
     fn renormalized(self) -> Option<Self::Output>;
 }
 

@@ -117,7 +117,7 @@ macro_rules! element_methods {
                 $crate::ops::SquareRoot::sqrt(self)
             }
 
-            /// The unit versor `X (X X̃)^(−1/2)`: removes the drift of rounding from any versor,
+            /// The unit versor `(X X̃)^(−1/2) X`: removes the drift of rounding from any versor,
             /// which dividing by the norm does not; `None` where X X̃ has no inverse square root, or
             /// no positive scalar part.
             #[inline]

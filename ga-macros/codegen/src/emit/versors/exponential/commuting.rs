@@ -210,7 +210,7 @@ impl Planes {
              roots."
         );
         let normal = format!(
-            " The unit versor `X (X X̃)^(−1/2)`, free of the drift of rounding.{normal} Two \
+            " The unit versor `(X X̃)^(−1/2) X`, free of the drift of rounding.{normal} Two \
              divisions and two roots."
         );
         let commuting = if self.commuting {
