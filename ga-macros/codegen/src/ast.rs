@@ -31,6 +31,27 @@ pub struct Algebra {
     pub products: Option<Vec<Ident>>,
 }
 
+impl Algebra {
+    /// An algebra of which no section has been read.
+    pub fn without_sections(
+        attributes: Vec<Attribute>,
+        visibility: Visibility,
+        name: Ident,
+        signature: Signature,
+    ) -> Algebra {
+        Algebra {
+            attributes,
+            visibility,
+            name,
+            signature,
+            basis: None,
+            metric: None,
+            types: None,
+            products: None,
+        }
+    }
+}
+
 /// The first and the last token of something written.
 pub type Spans = (Span, Span);
 

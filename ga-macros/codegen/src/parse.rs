@@ -139,16 +139,9 @@ fn parse_algebra(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Opt
             }
             skip_all(input);
         }
-        return Ok(Some(Algebra {
-            attributes,
-            visibility,
-            name,
-            signature,
-            basis: None,
-            metric: None,
-            types: None,
-            products: None,
-        }));
+        return Ok(Some(Algebra::without_sections(
+            attributes, visibility, name, signature,
+        )));
     }
     input.parse::<Token![mod]>()?;
     let Some(name) = parse_identifier(input, errors) else {
@@ -172,16 +165,7 @@ fn parse_algebra(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Opt
             spans: (name.span(), name.span()),
         }
     };
-    let mut algebra = Algebra {
-        attributes,
-        visibility,
-        name,
-        signature,
-        basis: None,
-        metric: None,
-        types: None,
-        products: None,
-    };
+    let mut algebra = Algebra::without_sections(attributes, visibility, name, signature);
     let Some(body) = parse_braces(input) else {
         let name = algebra.name.to_string();
         if is_wrong_body(input) {
