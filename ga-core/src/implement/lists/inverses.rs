@@ -51,6 +51,20 @@ macro_rules! general_inverse {
             fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
                 adjugate * factor
             }
+            /// Both at once by one recursion, a division, and a multiplication a coefficient.
+            fn inverse(self) -> ::core::option::Option<$Output<T>> {
+                let (adjugate, determinant) =
+                    $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count);
+                determinant.is_invertible().then(|| {
+                    $crate::convert::pick::<_, $Output<T>>(adjugate) * (T::ONE / determinant)
+                })
+            }
+            /// Both at once by one recursion, a division, and a multiplication a coefficient.
+            fn reciprocal(self) -> $Output<T> {
+                let (adjugate, determinant) =
+                    $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count);
+                $crate::convert::pick::<_, $Output<T>>(adjugate) * (T::ONE / determinant)
+            }
         }
     };
 }
