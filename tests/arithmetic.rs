@@ -1,4 +1,4 @@
-//! Sums of different types, references on both sides, and narrowing with a tolerance.
+//! Sums of different types, references on both sides, and narrowing: with a tolerance, or exactly.
 
 #![expect(clippy::op_ref, reason = "references on both sides are what is tested")]
 
@@ -40,6 +40,47 @@ fn narrowing_asks_for_a_tolerance() {
     assert_eq!(plane, Bivector::new(1.0, 0.0, 0.0));
     let strict: Result<Bivector, _> = nearly.narrow(1e-12);
     assert_eq!(strict.unwrap_err().blade, ga::core::Blade::SCALAR);
+}
+
+#[test]
+fn exact_numbers_narrow_where_nothing_is_lost() {
+    use ga::cga::cga3::{Even as Versor, Point, Translator, Vector3};
+    use ga::core::{Dual, Rational};
+    let [one, three, tiny] = [(1, 1), (3, 1), (1, 1_000_000_000_000)]
+        .map(|(numerator, denominator)| Rational::new(numerator, denominator));
+    let plane = Bivector::new(one, Rational::ZERO, three);
+    assert_eq!(Bivector::try_from(Even::from(plane)), Ok(plane));
+    let nearly = Even::from(plane) + Scalar::new(tiny);
+    let refused = Bivector::try_from(nearly).unwrap_err();
+    assert_eq!(refused.blade, ga::core::Blade::SCALAR);
+    // A fixed coefficient has to have its value exactly.
+    let translator = Translator::new(one, three, tiny);
+    assert_eq!(
+        Translator::try_from(Versor::from(translator)),
+        Ok(translator)
+    );
+    assert!(Translator::try_from(Versor::from(translator) * three).is_err());
+    let point: Point<Rational> = translator.apply(Point::from(Vector3::new(one, one, three)));
+    assert_eq!(Point::try_from(point * one), Ok(point));
+    assert!(Point::try_from(point * three).is_err());
+    // Derivatives of exact numbers, which compare by value.
+    let moving = Even::from(plane).map(Dual::constant);
+    assert!(Bivector::try_from(moving).is_ok());
+    assert!(Bivector::try_from(nearly.map(Dual::constant)).is_err());
+}
+
+/// The largest coefficient may be so large that twice its size is not finite.
+#[test]
+fn narrowing_neglects_nothing_beside_what_overflows() {
+    let large = |scalar: f64| Even::new(scalar, f64::MAX, -f64::MAX, 0.0);
+    assert!(Bivector::try_from(large(1e300)).is_ok());
+    for scalar in [1e304, f64::MAX, f64::INFINITY, f64::NAN] {
+        assert!(Bivector::try_from(large(scalar)).is_err(), "{scalar}");
+        assert!(large(scalar).narrow::<Bivector>(1e-6).is_err(), "{scalar}");
+    }
+    let infinite = Even::new(1.0, f64::INFINITY, 0.0, 0.0);
+    assert!(Bivector::try_from(infinite).is_err());
+    assert!(infinite.narrow::<Bivector>(1e-6).is_err());
 }
 
 ga::define_algebra! {

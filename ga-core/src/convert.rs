@@ -1,7 +1,12 @@
 //! Conversions and small steps shared by all generated types; generated code calls them.
 
+mod narrowing;
+
 use alloc::format;
 use core::fmt;
+
+pub(crate) use narrowing::largest;
+pub use narrowing::{Narrowing, narrow, try_narrow};
 
 use crate::algorithm::rounding_of;
 use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
@@ -103,87 +108,6 @@ where
 #[inline]
 fn signed<T: Scalar>(sign: i8, value: T) -> T {
     if sign < 0 { -value } else { value }
-}
-
-/// A narrowing conversion would drop a coefficient that is not negligible, or the value of a
-/// fixed coefficient is another one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Narrowing {
-    /// The blade whose coefficient is in the way.
-    pub blade: Blade,
-}
-
-impl Narrowing {
-    /// The size against the largest coefficient up to which `TryFrom` neglects a coefficient.
-    pub const TOLERANCE: f64 = 1e-6;
-}
-
-impl fmt::Display for Narrowing {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the coefficient of blade {:#b} does not fit the narrower type; convert to a type \
-             that stores it, or narrow with a larger tolerance",
-            self.blade.mask()
-        )
-    }
-}
-
-impl core::error::Error for Narrowing {}
-
-/// The narrower element, if all coefficients it does not store are within `tolerance` times
-/// the largest coefficient of zero, or of their fixed value.
-///
-/// # Errors
-/// [`Narrowing`] with the first blade that is in the way.
-pub fn narrow<Wide, Narrow>(wide: Wide, tolerance: Wide::Number) -> Result<Narrow, Narrowing>
-where
-    Wide: Element,
-    Narrow: Element<Number = Wide::Number>,
-    Wide::Number: Real,
-{
-    let mut bound = Wide::Number::ZERO;
-    for i in 0..Wide::BLADES.len() {
-        let size = wide.at(i).abs();
-        // The larger of the two in every lane.
-        bound = (bound + size + (bound - size).abs()) * Wide::Number::from_ratio(1, 2);
-    }
-    bound *= tolerance;
-    for (i, (blade, sign)) in Wide::BLADES.iter().enumerate() {
-        if Narrow::BLADES.iter().any(|(stored, _)| stored == blade) {
-            continue;
-        }
-        let fixed = Narrow::FIXED.iter().find(|(stored, ..)| stored == blade);
-        let expected = fixed.map_or(Wide::Number::ZERO, |(_, own, numerator, denominator)| {
-            signed(
-                own * sign,
-                Wide::Number::from_ratio(*numerator, *denominator),
-            )
-        });
-        if !(wide.at(i) - expected).abs().all_le(bound) {
-            return Err(Narrowing { blade: *blade });
-        }
-    }
-    // What the narrow type fixes and the wide one does not store, the wide one has to fix at
-    // the same value; absent coefficients are zero.
-    for (blade, sign, numerator, denominator) in Narrow::FIXED {
-        if Wide::BLADES.iter().any(|(stored, _)| stored == blade) {
-            continue;
-        }
-        let own = signed(*sign, Wide::Number::from_ratio(*numerator, *denominator));
-        if coefficient(&wide, *blade) != own {
-            return Err(Narrowing { blade: *blade });
-        }
-    }
-    // What the wide type fixes has to have a place in the narrow one.
-    let placed = |blade: &Blade| {
-        Narrow::BLADES.iter().any(|(stored, _)| stored == blade)
-            || Narrow::FIXED.iter().any(|(fixed, ..)| fixed == blade)
-    };
-    if let Some((blade, ..)) = Wide::FIXED.iter().find(|(blade, ..)| !placed(blade)) {
-        return Err(Narrowing { blade: *blade });
-    }
-    Ok(pick(wide))
 }
 
 /// The answer of `Index` for a blade that a type does not store.

@@ -54,6 +54,20 @@ pub trait Field: Scalar + Div<Output = Self> + DivAssign {
     fn from_ratio(numerator: i64, denominator: i64) -> Self {
         Self::from_integer(numerator) / Self::from_integer(denominator)
     }
+
+    /// How far from its value a coefficient may be for `TryFrom` to take it for that value, beside
+    /// these coefficients: not at all for exact numbers,
+    /// [`Narrowing::TOLERANCE`](crate::Narrowing::TOLERANCE) times the largest for those that
+    /// round.
+    fn negligible_beside(_: impl Iterator<Item = Self>) -> Self {
+        Self::ZERO
+    }
+
+    /// Whether this difference is within a bound that [`negligible_beside`](Field::negligible_beside)
+    /// gave; on lanes, whether it is in every lane. Nothing is within a bound that is not finite.
+    fn is_within(self, _: Self) -> bool {
+        self == Self::ZERO
+    }
 }
 
 /// A [`Field`] with roots and transcendental functions: what norms, exponentials and

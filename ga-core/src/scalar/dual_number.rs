@@ -132,6 +132,14 @@ impl<T: Field> Field for Dual<T> {
     fn from_ratio(numerator: i64, denominator: i64) -> Self {
         Dual::constant(T::from_ratio(numerator, denominator))
     }
+
+    fn negligible_beside(coefficients: impl Iterator<Item = Self>) -> Self {
+        Dual::constant(T::negligible_beside(coefficients.map(|x| x.re)))
+    }
+
+    fn is_within(self, bound: Self) -> bool {
+        self.re.is_within(bound.re)
+    }
 }
 
 /// `slope` times `eps`, and zero where `eps` is zero, however large the slope.

@@ -1,6 +1,8 @@
 //! Floating-point numbers as a ring and a field.
 
 use super::{Field, Scalar};
+use crate::Narrowing;
+use crate::convert::largest;
 
 macro_rules! float {
     ($float:ident) => {
@@ -17,6 +19,14 @@ macro_rules! float {
         impl Field for $float {
             fn is_invertible(self) -> bool {
                 self.is_finite() && self.recip().is_finite()
+            }
+
+            fn negligible_beside(coefficients: impl Iterator<Item = Self>) -> Self {
+                largest(coefficients, |x| x.abs()) * Narrowing::TOLERANCE as $float
+            }
+
+            fn is_within(self, bound: Self) -> bool {
+                bound.is_finite() && self.abs() <= bound
             }
         }
     };

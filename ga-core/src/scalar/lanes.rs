@@ -8,6 +8,8 @@ use wide::{f32x4, f32x8, f64x2, f64x4};
 #[cfg(any(feature = "std", feature = "libm"))]
 use super::Real;
 use super::{Field, Scalar};
+use crate::Narrowing;
+use crate::convert::largest;
 
 macro_rules! lanes {
     ($lanes:ident, $float:ident, $count:literal) => {
@@ -23,6 +25,16 @@ macro_rules! lanes {
         impl Field for $lanes {
             fn is_invertible(self) -> bool {
                 self.to_array().into_iter().all(Field::is_invertible)
+            }
+
+            fn negligible_beside(coefficients: impl Iterator<Item = Self>) -> Self {
+                let tolerance = Narrowing::TOLERANCE as $float;
+                largest(coefficients, $lanes::abs) * $lanes::new([tolerance; $count])
+            }
+
+            fn is_within(self, bound: Self) -> bool {
+                let mut pairs = self.to_array().into_iter().zip(bound.to_array());
+                pairs.all(|(value, bound)| value.is_within(bound))
             }
         }
 

@@ -30,14 +30,15 @@ macro_rules! sums {
 #[macro_export]
 macro_rules! narrowing {
     ($Name:ident: $($Wide:ident),*) => {$(
-        impl<T: $crate::Real> ::core::convert::TryFrom<$Wide<T>> for $Name<T> {
+        impl<T: $crate::Field> ::core::convert::TryFrom<$Wide<T>> for $Name<T> {
             type Error = $crate::Narrowing;
             /// The coefficients that the type stores, each as it is; an error where one of the
-            /// others is not negligible against the largest. No operations apart from the
-            /// comparison: two multiplications and two additions a coefficient at most.
+            /// others is not negligible against the largest, or not zero in exact numbers. No
+            /// operations apart from the comparison: two multiplications and four additions a
+            /// coefficient at most.
             #[inline]
             fn try_from(wide: $Wide<T>) -> ::core::result::Result<Self, $crate::Narrowing> {
-                $crate::convert::narrow(wide, T::from_f64($crate::Narrowing::TOLERANCE))
+                $crate::convert::try_narrow(wide)
             }
         }
     )*};
