@@ -15,14 +15,17 @@ mod square_root;
 mod study;
 
 pub use exponential::{bivector_exponential, motor_exponential};
-pub use inverse::adjugate;
-pub use inverse_scaling::{principal_logarithm, principal_square_root};
+pub use inverse::{adjugate, adjugate_products};
+pub use inverse_scaling::{
+    MOST_ROOTS, logarithm_products, principal_logarithm, principal_square_root,
+    square_root_products,
+};
 pub use logarithm::{logarithm, motor_logarithm};
 pub(crate) use normalise::rounding_of;
 pub use normalise::{Commutators, over_norm, renormalise};
 pub use parts::{Bivectors, Fourvectors, Parts, Versors};
-pub use principal_root::Evens;
-pub use series::exponential;
+pub use principal_root::{Evens, MOST_STEPS, step_products};
+pub use series::{MOST_HALVINGS, MOST_TERMS, ORTHONORMAL_TERMS, exponential};
 pub use split::{Split, split};
 pub use square_root::square_root;
 pub use study::Study;

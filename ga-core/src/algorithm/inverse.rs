@@ -6,6 +6,12 @@ use super::parts::scalar;
 use crate::Field;
 use crate::ops::{Element, Geometric};
 
+/// How many products [`adjugate`] takes in an algebra with `blades` basis blades: one less than
+/// the order of its matrices.
+pub const fn adjugate_products(blades: usize) -> usize {
+    (1 << blades.trailing_zeros().div_ceil(2)) - 1
+}
+
 /// Adjugate and determinant of a multivector of an algebra with `blades` basis blades, by the
 /// Faddeev–LeVerrier recursion: A⁻¹ = P / det.
 ///
@@ -16,8 +22,7 @@ where
     M: Element + Geometric<M, Output: Into<M>> + Sub<Output = M>,
     M::Number: Field,
 {
-    let dimension = blades.trailing_zeros();
-    let order = 1_i64 << dimension.div_ceil(2);
+    let order = adjugate_products(blades) as i64 + 1;
     let mut adjugate = scalar::<M>(<M::Number as crate::Scalar>::ONE);
     let mut power = a;
     for step in 1..order {

@@ -2,15 +2,34 @@
 
 use super::normalise::rounding_of;
 use super::parts::{finite, part, scalar, sum_of};
-use super::principal_root::{Evens, polar_factor, principal_root, times, tolerance};
-use super::series::exponential;
+use super::principal_root::{
+    Evens, MOST_STEPS, polar_factor, principal_root, step_products, times, tolerance,
+};
+use super::series::{MOST_HALVINGS, MOST_TERMS, exponential};
 use crate::ops::Element;
 use crate::{Blade, Field, Real, Scalar, convert};
 
 /// How many roots are taken at most: enough for translations as long as 2⁶⁴.
-const ROOTS: u32 = 64;
+pub const MOST_ROOTS: usize = 64;
 /// How many terms of the series of the inverse sine are summed at most.
-const TERMS: i64 = 64;
+const MOST_SINE_TERMS: usize = 64;
+
+/// How many products [`principal_logarithm`] takes at most on a type of `blades` blades: R R̃, the
+/// polar factor of R, the roots, the series of the inverse sine, and the exponential.
+pub const fn logarithm_products(blades: usize) -> usize {
+    let root = MOST_STEPS * step_products(blades);
+    1 + (1 + MOST_ROOTS) * root + 1 + MOST_SINE_TERMS + exponential_products()
+}
+
+/// How many products [`principal_square_root`] takes at most on a type of `blades` blades: those
+/// of the logarithm and of another exponential.
+pub const fn square_root_products(blades: usize) -> usize {
+    logarithm_products(blades) + exponential_products()
+}
+
+const fn exponential_products() -> usize {
+    MOST_TERMS + MOST_HALVINGS
+}
 
 /// The principal logarithm of a versor over its norm, by inverse scaling and squaring (Higham,
 /// *Functions of Matrices*, 2008, section 11.5): k square roots until the coefficients of R − 1
@@ -77,7 +96,7 @@ where
     let mut root = unit;
     let mut roots = 0;
     while !size(&(root - scalar(M::Number::ONE))).all_le(half) {
-        if roots == ROOTS {
+        if roots == MOST_ROOTS {
             return None;
         }
         root = principal_root(root)?;
@@ -101,7 +120,7 @@ fn inverse_sine<M: Evens>(sine: M) -> M {
     let square = times(sine, sine);
     let mut power = sine;
     let mut sum = sine;
-    for n in 1..=TERMS {
+    for n in 1..=MOST_SINE_TERMS as i64 {
         power = times(power, square).geometric(M::Number::from_ratio(1 - 2 * n, 2 * n));
         let term = power.geometric(M::Number::from_ratio(1, 2 * n + 1));
         sum = sum + term;

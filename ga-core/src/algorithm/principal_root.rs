@@ -3,14 +3,22 @@
 
 use core::ops::{Add, Sub};
 
-use super::inverse::adjugate;
+use super::inverse::{adjugate, adjugate_products};
 use super::parts::{scalar, sum_of};
 use crate::ops::{Element, Geometric, Reverse};
 use crate::{Field, Real, Scalar};
 
 /// How many steps the iteration may take: each halves what is far too large and doubles what is
 /// far too small, and the last few square the error.
-const STEPS: u32 = 128;
+pub const MOST_STEPS: usize = 128;
+/// How many steps improve an inverse.
+const IMPROVEMENTS: usize = 2;
+
+/// How many products a step takes at most, on a type of `blades` blades: the excess, and an
+/// inverse with two products for each improvement.
+pub const fn step_products(blades: usize) -> usize {
+    1 + adjugate_products(blades) + 2 * IMPROVEMENTS
+}
 
 /// A type that holds a whole algebra of even elements.
 pub trait Evens:
@@ -59,7 +67,7 @@ pub(super) fn polar_factor<M: Evens>(element: M) -> Option<M> {
     let one = scalar::<M>(M::Number::ONE);
     let mut x = element;
     let mut before = M::Number::ONE;
-    for _ in 0..STEPS {
+    for _ in 0..MOST_STEPS {
         let excess = times(x.reverse(), x) - one;
         let size = sum_of(&excess, M::Number::abs);
         if !size.is_finite() {
@@ -89,7 +97,7 @@ fn inverse<M: Evens>(x: M) -> Option<M> {
     }
     let two = scalar::<M>(M::Number::from_integer(2));
     let mut inverse = adjugate.geometric(M::Number::ONE / determinant);
-    for _ in 0..2 {
+    for _ in 0..IMPROVEMENTS {
         inverse = times(inverse, two - times(x, inverse));
     }
     Some(inverse)

@@ -6,6 +6,16 @@ use super::parts::scalar;
 use crate::ops::{Element, Geometric};
 use crate::{Field, Real, Scalar};
 
+/// How many terms of the power series are summed at most. Metrics with large entries converge
+/// later than the coefficients suggest.
+pub const MOST_TERMS: usize = 200;
+/// How many terms are summed at most where basis blades multiply to a basis blade, its negative
+/// or zero. With coefficients that add up to no more than 4, those of the n-th term add up to no
+/// more than 4ⁿ/n! and those of the sum to no less than e⁻⁴.
+pub const ORTHONORMAL_TERMS: usize = 36;
+/// How often the argument is halved at most: beyond 2^1100 nothing is finite in double precision.
+pub const MOST_HALVINGS: usize = 1100;
+
 /// The exponential by scaling and squaring: the argument is halved until its coefficients add
 /// up to no more than four, the power series summed to rounding, the sum squared as often.
 ///
@@ -20,16 +30,14 @@ where
     let mut argument = a;
     let mut remaining = size(&a);
     let mut squarings = 0;
-    // Beyond 2^1100 nothing is finite in double precision.
-    while !remaining.all_le(M::Number::from_integer(4)) && squarings < 1100 {
+    while !remaining.all_le(M::Number::from_integer(4)) && squarings < MOST_HALVINGS {
         argument = argument.geometric(half);
         remaining *= half;
         squarings += 1;
     }
     let mut term = scalar::<M>(M::Number::ONE);
     let mut sum = term;
-    // Metrics with large entries converge later than the coefficients suggest.
-    for step in 1..=200_i64 {
+    for step in 1..=MOST_TERMS as i64 {
         let next: M = term.geometric(argument).into();
         term = next.geometric(M::Number::from_ratio(1, step));
         sum = sum + term;
