@@ -80,6 +80,8 @@ struct Generator<'m> {
     sums: Vec<Option<usize>>,
     /// Bodies emitted so far, by operands, result type and polynomials.
     emitted: HashMap<(usize, usize, usize, Vec<Poly>), &'static str>,
+    /// Products of wide types that others are handed on to, by method and operands.
+    widened: HashMap<(&'static str, usize, usize), Option<products::Widened>>,
     /// The impls, as text.
     source: String,
     ledger: Ledger,
@@ -122,6 +124,7 @@ pub fn emit(model: &Model, errors: &mut Errors) -> Output {
         general,
         sums,
         emitted: HashMap::new(),
+        widened: HashMap::new(),
         source: String::new(),
         ledger: Ledger::default(),
     };

@@ -17,6 +17,8 @@ pub struct Reach {
     pub blades: BTreeSet<u32>,
     /// The number of its terms.
     pub terms: usize,
+    /// How many of them have another factor than ±1.
+    pub factors: usize,
     /// Whether all its coefficients are integers.
     pub integral: bool,
 }
@@ -73,11 +75,14 @@ impl<'m> Tables<'m> {
         let mut reach = Reach {
             blades: BTreeSet::new(),
             terms: 0,
+            factors: 0,
             integral: true,
         };
         let mut add = |mask: u32, value: &Rational| {
             reach.blades.insert(mask);
             reach.terms += 1;
+            let sign_alone = value.is_integer() && value.numer().unsigned_abs() == 1;
+            reach.factors += usize::from(!sign_alone);
             reach.integral &= value.is_integer();
         };
         for left in a {

@@ -23,10 +23,10 @@ macro_rules! widened_exponential {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! series_exponential {
-    ($Name:ident => $Output:ident) => {
+    ($Name:ident => $Output:ident $doc:literal) => {
         impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
             type Output = $Output<T>;
-            /// The exponential, by scaling and squaring its power series.
+            #[doc = $doc]
             fn exp(self) -> $Output<T> {
                 $crate::algorithm::exponential($Output::from(self))
             }

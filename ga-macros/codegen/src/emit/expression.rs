@@ -169,11 +169,20 @@ pub fn documentation(
     result: Option<&Type>,
     names: &Names<'_>,
 ) -> String {
-    let cost = kernel.cost();
+    documentation_at(summary, kernel.cost(), kernel, result, names)
+}
+
+/// The documentation of a kernel whose values another function computes, at this cost.
+pub fn documentation_at(
+    summary: &str,
+    cost: Cost,
+    kernel: &Kernel,
+    result: Option<&Type>,
+    names: &Names<'_>,
+) -> String {
     let mut text = format!(
-        " {summary} Cost: {}, {}{}.\n\n ```text\n",
-        counted(cost.multiplications, "multiplication"),
-        counted(cost.additions, "addition"),
+        " {summary} Cost: {}{}.\n\n ```text\n",
+        counts(cost),
         if kernel.divisor.is_some() {
             ", 1 division"
         } else {
@@ -205,12 +214,17 @@ pub fn documentation(
 /// The operation counts of a function that is composed of others, as a sentence.
 pub fn cost_sentence(cost: Option<Cost>) -> String {
     cost.map_or_else(String::new, |cost| {
-        format!(
-            " Cost: at most {}, {}.",
-            counted(cost.multiplications, "multiplication"),
-            counted(cost.additions, "addition"),
-        )
+        format!(" Cost: at most {}.", counts(cost))
     })
+}
+
+/// Operation counts as part of a sentence.
+pub fn counts(cost: Cost) -> String {
+    format!(
+        "{}, {}",
+        counted(cost.multiplications, "multiplication"),
+        counted(cost.additions, "addition"),
+    )
 }
 
 fn counted(number: usize, noun: &str) -> String {

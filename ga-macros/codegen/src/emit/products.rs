@@ -2,17 +2,21 @@
 //! listed where they vanish.
 
 mod looped;
+mod widened;
 
 use std::fmt::Write;
 
 use ga_core::{Involution, Product, Rational};
 
-use self::looped::{emit_loop, emit_table, loop_from};
+pub use self::looped::loop_from;
+use self::looped::{emit_loop, emit_table};
+use self::widened::widened;
+pub use self::widened::{Widened, widened_cost};
 use super::Generator;
 use super::expression::{self, Names};
 use super::unrolled::{self, Function, Lists};
 use crate::closure;
-use crate::factor::Kernel;
+use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
 use crate::poly::{Element, Poly};
 
@@ -136,10 +140,14 @@ fn emit_unrolled(
     generator.check(&kernel);
     let integral = expression::is_integral(&kernel);
     let call = hand_on(generator, product, a, b, result, &kernel)
-        .or_else(|| widened(generator, product, a, b, result));
+        .or_else(|| widened(generator, product, [a, b], result));
     let (left, right) = (generator.name(a), generator.name(b));
     let result_kind = (!is_number).then(|| generator.kind(result));
-    let documentation = expression::documentation(product.doc(), &kernel, result_kind, &names);
+    let call = call.filter(|_| integral);
+    let cost = call.as_ref().and_then(|call| call.cost);
+    let cost = cost.unwrap_or_else(|| kernel.cost());
+    let documentation =
+        expression::documentation_at(product.doc(), cost, &kernel, result_kind, &names);
     let output = if is_number {
         "T".to_owned()
     } else {
@@ -152,7 +160,7 @@ fn emit_unrolled(
         fields: result_kind.map_or(1, |kind| kind.field_count()),
         form: String::new(),
     };
-    if let Some(call) = call.filter(|_| integral) {
+    if let Some(call) = call {
         entry.form = call.form.to_owned();
         generator.record(entry);
         let output = if is_number {
@@ -191,6 +199,8 @@ struct Call {
     form: &'static str,
     /// The method, or the two types that the operands are widened to.
     words: String,
+    /// What the other function costs, if not what this one would.
+    cost: Option<Cost>,
 }
 
 /// The call of a function emitted before with the same polynomials: another product of the
@@ -234,10 +244,11 @@ fn hand_on(
         if (form.starts_with("minus") || form == "reversed") && !signed {
             continue;
         }
-        if let Some(method) = generator.emitted.get(&(first, second, result, polys)) {
+        if let Some(&method) = generator.emitted.get(&(first, second, result, polys)) {
             return Some(Call {
                 form,
-                words: (*method).to_owned(),
+                words: method.to_owned(),
+                cost: widened_cost(generator, method, [first, second], result),
             });
         }
     }
@@ -261,6 +272,7 @@ fn hand_on_number(
         return Some(Call {
             form: "number",
             words: (*method).to_owned(),
+            cost: None,
         });
     }
     // Numbers are no type of the algebra, so their bodies are noted beyond the last one.
@@ -270,6 +282,7 @@ fn hand_on_number(
         return Some(Call {
             form: "number_swapped",
             words: (*method).to_owned(),
+            cost: None,
         });
     }
     generator.emitted.insert(
@@ -277,53 +290,4 @@ fn hand_on_number(
         Product::ScalarProduct.method(),
     );
     None
-}
-
-/// For a pair of a small type and one of `Even`, `Odd` and `Multivector`: the product of both
-/// widened to the types of their parity, if that gives the same result type.
-fn widened(
-    generator: &Generator<'_>,
-    product: Product,
-    a: usize,
-    b: usize,
-    result: usize,
-) -> Option<Call> {
-    if !generator.model.is_complete() || product == Product::ScalarProduct {
-        return None;
-    }
-    let complete = |index: usize| {
-        let name = match generator.kind(index).parity() {
-            Some(true) => "Even",
-            Some(false) => "Odd",
-            None => "Multivector",
-        };
-        generator.model.type_named(name)
-    };
-    let (wide_a, wide_b) = (complete(a)?, complete(b)?);
-    let large = [a, b].iter().any(|&i| complete(i) == Some(i));
-    if (wide_a, wide_b) == (a, b) || !large || generator.model.dimension() < 4 {
-        return None;
-    }
-    // A loop would be slower than the few terms of the pair.
-    let size = generator.kind(wide_a).slots.len() * generator.kind(wide_b).slots.len();
-    if size > loop_from(generator.model.dimension()) {
-        return None;
-    }
-    let element = generator.tables.product(
-        product,
-        &generator.general[wide_a][0],
-        &generator.general[wide_b][1],
-    );
-    if result_type(generator, product, &element) != Some(result) {
-        return None;
-    }
-    // The caller asks for a ring, so what it calls must be content with one.
-    if !expression::is_integral(&Kernel::expanded(generator.onto_fields(result, &element))) {
-        return None;
-    }
-    let words = format!("{} {}", generator.name(wide_a), generator.name(wide_b));
-    Some(Call {
-        form: "widened",
-        words,
-    })
 }

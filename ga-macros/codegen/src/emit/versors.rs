@@ -10,13 +10,14 @@ use ga_core::{Involution, Product};
 
 use super::Generator;
 use super::expression::{self, Names};
+use super::products::{loop_from, widened_cost};
 use super::unrolled;
 use crate::closure;
 use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
 use crate::poly::{Element, Poly, graded_signs};
 
-/// How many pairs of blades a product may have for its cost to be counted.
+/// How many pairs of blades a product may have for its polynomials to be counted out.
 const LARGEST_PRODUCT: usize = 1_024;
 
 /// Emits everything that treats a type as a versor.
@@ -98,7 +99,8 @@ fn quotients(generator: &mut Generator<'_>) {
                     .zip(costs[b])
                     .map(|(product, inverse)| product + inverse);
                 let doc = format!(
-                    " The quotient `a b⁻¹`, the geometric product with the inverse.{}",
+                    " The quotient `a b⁻¹`, the geometric product with the inverse.{} A division \
+                     besides.",
                     expression::cost_sentence(cost)
                 );
                 Some(format!("{} {doc:?}", generator.name(b)))
@@ -116,13 +118,47 @@ fn quotients(generator: &mut Generator<'_>) {
     generator.source.push_str(&source);
 }
 
-/// What a geometric product costs; `None` where it is too long to find out.
+/// What a geometric product costs at most; `None` where no type holds it.
 fn product_cost(generator: &Generator<'_>, a: usize, b: usize) -> Option<Cost> {
+    geometric_product(generator, a, b).map(|(_, cost)| cost)
+}
+
+/// The type of a geometric product, and what it costs at most, whether it is unrolled, a loop or
+/// that of wider operands; `None` where no type holds it.
+fn geometric_product(generator: &Generator<'_>, a: usize, b: usize) -> Option<(usize, Cost)> {
     let (left, right) = (&generator.general[a][0], &generator.general[b][1]);
-    if left.len() * right.len() > LARGEST_PRODUCT {
-        return None;
+    if left.len() * right.len() > LARGEST_PRODUCT.min(loop_from(generator.model.dimension())) {
+        return looped_product(generator, left, right);
     }
     let product = generator.tables.product(Product::Geometric, left, right);
     let result = closure::smallest(generator.model, &product)?;
-    Some(Kernel::expanded(generator.onto_fields(result, &product)).cost())
+    let cost = match widened_cost(generator, Product::Geometric.method(), [a, b], result) {
+        Some(cost) => cost,
+        None => Kernel::expanded(generator.onto_fields(result, &product)).cost(),
+    };
+    Some((result, cost))
+}
+
+/// The same for a loop: a multiplication and an addition for each term, and a multiplication for
+/// each that has a factor from the metric.
+fn looped_product(
+    generator: &Generator<'_>,
+    left: &Element,
+    right: &Element,
+) -> Option<(usize, Cost)> {
+    let masks = |element: &Element| element.keys().copied().collect::<Vec<u32>>();
+    let tables = &generator.tables;
+    let reach = tables.reach(Product::Geometric, &masks(left), &masks(right));
+    // Any variable polynomial marks a coefficient as free.
+    let any = left
+        .values()
+        .chain(right.values())
+        .find(|poly| poly.as_constant().is_none())?;
+    let blades = reach.blades.into_iter().map(|mask| (mask, any.clone()));
+    let result = closure::smallest(generator.model, &blades.collect())?;
+    let cost = Cost {
+        multiplications: reach.terms + reach.factors,
+        additions: reach.terms,
+    };
+    Some((result, cost))
 }

@@ -6,18 +6,17 @@ mod kernels;
 
 use std::fmt::Write;
 
-use ga_core::Product;
-
-use self::derivation::{Application, LARGEST_POLYNOMIAL, application, is_unit};
+use self::derivation::{Application, application, is_unit};
 use self::duality::{Duality, HandedOn};
-use super::reversed;
-use crate::closure;
+use super::{geometric_product, product_cost};
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
 use crate::emit::unrolled::{self, Function, Lists};
 use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
-use crate::poly::Element;
+
+/// What `V⁻¹` takes beside the multiplications and additions.
+const DIVISION: &str = " A division besides.";
 
 /// Emits sandwiches and applications of every type of one parity on every type.
 pub fn applications(generator: &mut Generator<'_>) {
@@ -138,7 +137,7 @@ fn sandwich(
         emit_kernel(generator, &mut emission.unrolled, types, names, kernel, doc);
         return Some(kernel.cost());
     }
-    let cost = composed_cost(generator, versor.index, x, result);
+    let cost = composed_cost(generator, versor.index, x);
     let doc = format!(
         " `V x̂ Ṽ` as two products, restricted to the grades of `x`.{}",
         expression::cost_sentence(cost)
@@ -175,7 +174,8 @@ fn apply(
         true => "The unit versor applied to `x`, `V x̂ Ṽ` (2.28).",
         false => "The versor applied to `x`, `V x̂ V⁻¹` (2.28): the sandwich over the norm.",
     };
-    let doc = format!(" {summary}{}", expression::cost_sentence(divided));
+    let division = if versor.unit { "" } else { DIVISION };
+    let doc = format!(" {summary}{}{division}", expression::cost_sentence(divided));
     emission
         .applied
         .push(format!("{} {doc:?}", generator.name(x)));
@@ -194,7 +194,7 @@ fn hand_on(
     let output = generator.name(handed_on.output);
     let doc = format!(
         " The versor applied to `x`, `V x̂ V⁻¹` (2.28), by duality from \
-         `{base_versor}.apply({base_operand})`: `{}`.{}",
+         `{base_versor}.apply({base_operand})`: `{}`.{}{DIVISION}",
         handed_on.rule,
         expression::cost_sentence(handed_on.cost)
     );
@@ -211,19 +211,11 @@ fn hand_on(
     });
 }
 
-/// What a sandwich of two products costs at most; `None` where that is too long to find out.
-fn composed_cost(generator: &Generator<'_>, v: usize, x: usize, result: usize) -> Option<Cost> {
-    let (versor, operand) = (&generator.general[v], &generator.general[x][1]);
-    if versor[0].len().pow(2) * operand.len() > LARGEST_POLYNOMIAL {
-        return None;
-    }
-    let product = |a: &Element, b: &Element| generator.tables.product(Product::Geometric, a, b);
-    let first = product(&versor[0], operand);
-    let between = closure::smallest(generator.model, &first)?;
-    let second = product(&generator.general[between][0], &reversed(&versor[1]));
-    let first = Kernel::expanded(generator.onto_fields(between, &first));
-    let second = Kernel::expanded(generator.onto_fields(result, &second));
-    Some(first.cost() + second.cost())
+/// What a sandwich of two products costs at most; blades that the operand's grades leave out are
+/// computed all the same. `None` where a product has no type.
+fn composed_cost(generator: &Generator<'_>, v: usize, x: usize) -> Option<Cost> {
+    let (between, first) = geometric_product(generator, v, x)?;
+    Some(first + product_cost(generator, between, v)?)
 }
 
 fn emit_kernel(
@@ -271,18 +263,15 @@ fn emit_kept(
     let (versor, operand) = (generator.name(v), generator.name(x));
     let applied = sandwich.applied;
     let image = generator.kind(sandwich.sandwich);
-    let names = Names::new(image, None);
+    let names = Names::new(generator.kind(v), Some(("y", image)));
     let fields: Vec<String> = generator
         .kind(applied)
         .fields()
-        .zip(generator.onto_fields(applied, &generator.general[sandwich.sandwich][0]))
+        .zip(generator.onto_fields(applied, &generator.general[sandwich.sandwich][1]))
         .map(|(slot, poly)| {
             let value = match poly.is_zero() {
                 true => "T::ZERO".to_owned(),
-                false => format!(
-                    "({}) * f",
-                    expression::code(&poly, &names).replace("self.", "y.")
-                ),
+                false => format!("({}) * f", expression::code(&poly, &names)),
             };
             format!("{}: {value}", slot.field)
         })
@@ -290,7 +279,7 @@ fn emit_kept(
     let output = generator.name(applied);
     let documentation = format!(
         " The versor applied to `x`, `V x̂ V⁻¹` (2.28), which keeps the fixed coefficients: the \
-         others of the sandwich over the norm.{}",
+         others of the sandwich over the norm.{}{DIVISION}",
         expression::cost_sentence(cost)
     );
     let _ = writeln!(

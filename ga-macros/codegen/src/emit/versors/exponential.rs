@@ -3,13 +3,14 @@
 //! roots for the rest.
 
 mod commuting;
+mod iterated;
 
 use std::fmt::Write;
 
 use ga_core::Product;
 
 use self::commuting::Planes;
-use super::inverse::parity_type;
+use self::iterated::{iterated_functions, series_exponential};
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
@@ -130,57 +131,6 @@ fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element
         fields.join(", ")
     );
     generator.source.push_str(&text);
-}
-
-/// The exponential as a power series on the smallest complete type.
-fn series_exponential(generator: &mut Generator<'_>, a: usize) {
-    let Some(result) = parity_type(generator, a) else {
-        return;
-    };
-    // Powers of an odd element are odd and even, so only even elements stay in `Even`.
-    let odd = generator.kind(a).parity() == Some(false);
-    let whole = generator.model.type_named("Multivector").filter(|_| odd);
-    let result = whole.unwrap_or(result);
-    if !generator.model.products.contains(&Product::Geometric) {
-        return;
-    }
-    let (name, output) = (generator.name(a), generator.name(result));
-    let _ = writeln!(
-        generator.source,
-        "algebra::series_exponential! {{ {name} => {output} }}"
-    );
-}
-
-/// `log` and `sqrt` of even elements without closed forms, on the smallest complete type.
-fn iterated_functions(generator: &mut Generator<'_>, a: usize) {
-    let even = generator.kind(a).parity() == Some(true);
-    let Some(whole) = parity_type(generator, a).filter(|_| even) else {
-        return;
-    };
-    let bivectors: Element = generator.general[whole][0]
-        .iter()
-        .filter(|(mask, _)| mask.count_ones() == 2)
-        .map(|(mask, poly)| (*mask, poly.clone()))
-        .collect();
-    let Some(bivector) = closure::smallest(generator.model, &bivectors) else {
-        return;
-    };
-    if !generator.model.products.contains(&Product::Geometric) {
-        return;
-    }
-    let log = " The principal logarithm of the versor over its norm, by inverse scaling and \
-               squaring: square roots until it is near 1, then the series of `arsinh`. `None` \
-               unless its turns add up to less than π, and for what is no versor. Cost: up to a \
-               few hundred products of even elements.";
-    let sqrt = " The principal square root: the exponential of half the logarithm, times the root \
-                of the norm. `None` as for the logarithm. Cost: that of the logarithm and of an \
-                exponential.";
-    let (name, whole) = (generator.name(a), generator.name(whole));
-    let bivector = generator.name(bivector);
-    let _ = writeln!(
-        generator.source,
-        "algebra::iterated_functions! {{ {name} => {whole} {bivector} {log:?} {sqrt:?} }}"
-    );
 }
 
 /// `log` and `sqrt` of `R = c + X` with a bivector `X` of scalar square.

@@ -4,6 +4,7 @@
 use std::fmt::Write;
 
 use ga_core::Product;
+use ga_core::algorithm::adjugate_products;
 
 use super::reversed;
 use crate::closure;
@@ -102,7 +103,7 @@ fn numerator(generator: &Generator<'_>, a: usize, scalar: &Poly, rest: &Element)
     )
 }
 
-/// What an inverse costs beyond one division; `None` for the general algorithm.
+/// What an inverse costs at most beyond one division; `None` where there is none.
 pub fn cost(generator: &Generator<'_>, a: usize) -> Option<Cost> {
     let fields = generator.kind(result(generator, a)?).field_count();
     let polynomials = match formula(generator, a) {
@@ -117,7 +118,7 @@ pub fn cost(generator: &Generator<'_>, a: usize) -> Option<Cost> {
                 ..whole
             });
         }
-        Formula::General => return None,
+        Formula::General => return Some(general_cost(generator)? + Cost::multiplying(fields)),
     };
     Some(Kernel::expanded(polynomials).cost() + Cost::multiplying(fields))
 }
@@ -160,31 +161,28 @@ pub fn inverse(generator: &mut Generator<'_>, a: usize) {
 
 /// What the Faddeev–LeVerrier algorithm does, and what it costs.
 fn general_documentation(generator: &Generator<'_>) -> String {
-    let dimension = generator.model.dimension();
-    let order = 1_usize << dimension.div_ceil(2);
-    let product = generator
-        .model
-        .type_named("Multivector")
-        .and_then(|all| super::product_cost(generator, all, all));
-    let cost = match product {
-        Some(product) => {
-            let whole = Cost {
-                multiplications: (order - 1) * (product.multiplications + 1),
-                additions: (order - 1) * (product.additions + 1),
-            };
-            expression::cost_sentence(Some(whole))
-        }
-        None => format!(
-            " Cost: {} products of two multivectors, each a loop of at most {} terms.",
-            order - 1,
-            1_usize << (2 * dimension)
-        ),
-    };
+    let steps = general_steps(generator);
     format!(
-        " By the Faddeev–LeVerrier recursion, `A⁻¹ = P / d`: from `U = A`, for `k = 1 … {}`, \
-         `P = U − ({order}/k) ⟨U⟩` and `U = A P`; then `d = ⟨U⟩`.{cost}",
-        order - 1
+        " By the Faddeev–LeVerrier recursion, `A⁻¹ = P / d`: from `U = A`, for `k = 1 … {steps}`, \
+         `P = U − ({}/k) ⟨U⟩` and `U = A P`; then `d = ⟨U⟩`.{}",
+        steps + 1,
+        expression::cost_sentence(general_cost(generator))
     )
+}
+
+/// How many products the Faddeev–LeVerrier algorithm takes.
+fn general_steps(generator: &Generator<'_>) -> usize {
+    adjugate_products(1 << generator.model.dimension())
+}
+
+fn general_cost(generator: &Generator<'_>) -> Option<Cost> {
+    let whole = generator.model.type_named("Multivector")?;
+    let steps = general_steps(generator);
+    let product = super::product_cost(generator, whole, whole)?;
+    Some(Cost {
+        multiplications: steps * (product.multiplications + 1),
+        additions: steps * (product.additions + 1),
+    })
 }
 
 fn conjugate_inverse(
