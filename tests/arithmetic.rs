@@ -4,6 +4,7 @@
 
 ga::define_algebra!(R3);
 
+use ga::core::Element;
 use r3::{Bivector, Even, Multivector, Scalar, Vector};
 
 #[test]
@@ -81,6 +82,22 @@ fn narrowing_neglects_nothing_beside_what_overflows() {
     let infinite = Even::new(1.0, f64::INFINITY, 0.0, 0.0);
     assert!(Bivector::try_from(infinite).is_err());
     assert!(infinite.narrow::<Bivector>(1e-6).is_err());
+}
+
+/// Each lane is judged against its own largest coefficient.
+#[test]
+fn lanes_narrow_where_every_lane_does() {
+    use wide::f64x4;
+    const LANES: [usize; 4] = [0, 1, 2, 3];
+    const SIZES: [f64; 4] = [1.0, 1e-9, 1e9, 1e300];
+    let rotor = |scalars: [f64; 4]| {
+        Even::from_fn(|i| {
+            f64x4::new(LANES.map(|lane| [scalars[lane], SIZES[lane], 0.0, -SIZES[lane]][i]))
+        })
+    };
+    assert!(Bivector::try_from(rotor([1e-9, 1e-18, 1.0, 1e290])).is_ok());
+    assert!(Bivector::try_from(rotor([1e-9, 1e-9, 1.0, 1e290])).is_err());
+    assert!(Bivector::try_from(rotor([0.0, 0.0, 0.0, f64::NAN])).is_err());
 }
 
 ga::define_algebra! {
