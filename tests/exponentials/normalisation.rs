@@ -54,8 +54,8 @@ fn five_dimensions() {
         let (x, unit) = (space.value(&moved), space.value(&found));
         let square = |value: &Value| space.times(value, &value.reverse());
         assert!(error(&square(&unit), &one) <= 1e-14, "{drift}");
-        for i in 0..5 {
-            let image = space.times(&space.times(&unit, &space.frame[i]), &unit.reverse());
+        for vector in &space.frame {
+            let image = space.times(&space.times(&unit, vector), &unit.reverse());
             assert!(error(&image.grade(1), &image) <= 1e-14, "{drift}");
         }
         // U X̃ is the root of X X̃: its own reverse, and its square.
