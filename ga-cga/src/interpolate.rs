@@ -1,30 +1,80 @@
 //! Interpolation (2.66, 2.67): the continuous motion from one versor or element to another.
 //!
 //! Every versor near the identity is e^{G} of a generator G, so e^{tG} has gone the part t of its
-//! way. From versor V₀ to V₁ the generator is log(V₁/V₀); from element A to B it is that of the
-//! versor R = √(B/A), which takes A to B (2.66). Both give paths that are evaluated at any t, with
-//! the start at 0 and the end at 1; other values go on beyond.
+//! way. All paths here are made of that, and so go evenly: the step from 0 to t, taken again from
+//! s, ends at s + t. They are evaluated at any t, with the start at 0 and the end at 1; other
+//! values go on beyond.
+//!
+//! **From element to element**, A to B, the versor is R = √(B/A) (2.66), and the path R_t\[A\]
+//! (2.67). For two unit vectors that is the rotation in their common plane (2.38), for lines the
+//! screw about their common perpendicular, for spheres that cross the turn about their circle.
+//! The weight goes along by equal factors, so that the path ends at the target itself.
 //!
 //! ```
-//! use ga_cga::interpolate::{Carry, Way};
+//! use ga_cga::interpolate::{Carry, NoPath, Way};
+//! use ga_cga::{Circle, Point};
+//!
+//! let ring = |z: f64, r: f64| -> Circle {
+//!     Point::at(r, 0.0, z) ^ Point::at(0.0, r, z) ^ Point::at(-r, 0.0, z)
+//! };
+//! let path = ring(0.0, 1.0).path_to(ring(3.0, 2.0), Way::Short)?;
+//! assert!((path.at(0.0) - ring(0.0, 1.0)).norm() < 1e-14);
+//! assert!((path.at(1.0) - ring(3.0, 2.0)).norm() < 1e-12);
+//! // Circles about one axis stay about it.
+//! let middle = path.at(0.5).center().unwrap().position();
+//! assert!(middle.e1.abs() < 1e-14 && middle.e2.abs() < 1e-14);
+//! # Ok::<(), NoPath>(())
+//! ```
+//!
+//! | from and to | what carries it ([`Carry`]) |
+//! |---|---|
+//! | vectors, bivectors, directions, tangents at the origin | a rotor (2.38) |
+//! | points | a translator |
+//! | flat points, lines, planes and their duals | a motor, √(B/A) |
+//! | point pairs, circles, spheres and their duals | a general conformal rotor, √(B/A) |
+//! | tangents elsewhere | a motor: moved and turned |
+//! | elements of one coefficient | nothing but their weight |
+//!
+//! **Orientation counts.** From a sphere to one outside it no versor of their pencil leads,
+//! unless one of the two is turned inside out. There is a choice: to the same sphere in whichever
+//! orientation is nearer, [`path_to_either`](Carry::path_to_either), or as a similar figure,
+//! [`similar_path_to`](Resemble::similar_path_to), which all rounds of a kind can go.
+//!
+//! ```
+//! use ga_cga::interpolate::{Carry, NoPath, Resemble, Way};
 //! use ga_cga::{DualSphere, Vector3};
 //!
 //! let small = DualSphere::with_radius(Vector3::new(0.0, 0.0, 0.0), 1.0);
 //! let large = DualSphere::with_radius(Vector3::new(10.0, 0.0, 0.0), 2.0);
-//! // Spheres outside one another are oriented alike if one of them is turned inside out.
-//! let path = small.path_to(-large, Way::Short).unwrap();
-//! let between: DualSphere = path.at(0.5);
-//! assert!(between.radius_squared().unwrap() > 4.0);
-//! let end = path.at(1.0);
-//! assert!((end.radius_squared().unwrap() - 4.0).abs() < 1e-12);
+//! assert_eq!(small.path_to(large, Way::Short), Err(NoPath::Reversed));
+//! let pencil = small.path_to_either(large, Way::Short)?;
+//! assert!(pencil.at(0.5).radius_squared().unwrap() > 4.0);
+//! let cone = small.similar_path_to(large, Way::Short)?;
+//! assert!((cone.at(0.5).radius_squared().unwrap() - 2.0).abs() < 1e-12);
+//! # Ok::<(), NoPath>(())
 //! ```
+//!
+//! **From versor to versor**, V₀ to V₁, the generator is log(V₁/V₀), of even and of odd versors
+//! ([`Connect`]).
+//!
+//! **Which way** to turn is for the caller to say ([`Way`]), and where there is no path,
+//! [`NoPath`] tells why. The kind of an element that is null by rounding, a tangent, is decided
+//! as [`classify`](crate::classify#tolerance) does, for a scene of the size of the two elements.
 
+mod attitudes;
 mod elements;
+mod no_path;
+mod null;
 mod orthogonal;
+mod ratio;
+mod similar;
 mod versors;
+mod weight;
 
 pub use elements::{Carry, ElementPath};
-pub use versors::{Continuous, VersorPath};
+pub use no_path::NoPath;
+pub use similar::Resemble;
+pub use versors::{Connect, Continuous, VersorPath};
 
 /// Which way to go: V and −V do the same, but their logarithms are two ways to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,151 +1,163 @@
-//! Paths from element to element: which versor takes the one to the other.
+//! Paths from element to element: what they promise, and where their weight goes.
 
-use ga_core::Real;
 use ga_core::ops::Apply;
+use ga_core::{Blade, Element, Real, Scalar};
 
-use super::Way;
 use super::versors::Continuous;
-use crate::cga3::{
-    Bivector3, Circle, DirectionBivector, DirectionVector, DualLine, DualPlane, DualSphere, Even,
-    FlatPoint, Line, Motor, Plane, Point, PointPair, Rotor, Sphere, TangentBivector, TangentVector,
-    Translator, Vector3,
-};
+use super::weight::{Weight, factor, finite, in_range, scaled};
+use super::{NoPath, Way};
 
 /// Elements that a versor takes to any other of their kind.
-pub trait Carry: Copy {
+///
+/// Every type of element has it: those of Table 2.6, and the numbers.
+pub trait Carry: Element<Number: Real> {
     /// The type of the versor.
-    type Versor: Continuous + Apply<Self, Output = Self>;
+    type Versor: Continuous + Element<Number = Self::Number> + Apply<Self, Output = Self>;
 
-    /// The unit versor R = √(B/A) that takes this element A to B = `target` (2.66), up to its
-    /// size.
+    /// The unit versor R that takes this element A to B = `target` up to its weight.
     ///
-    /// It is the smallest that does: spheres turn or scale in the pencil that they span, circles
-    /// in two of them at once. Orientation counts: it is the path to B and not to −B.
+    /// Where A has an inverse it is √(B/A) (2.66), the smallest that does: spheres turn or scale
+    /// in the pencil that they span, circles in two of them at once. Tangents and directions,
+    /// which are null and have no ratio, are moved and turned: a tangent along its screw, a
+    /// direction in the plane of the two. Orientation counts: it is the way to B and not to −B.
     ///
-    /// `None` where there is none or it is not unique: from or to what has no inverse, from a real
-    /// round to an imaginary one, from an element to its own opposite, from a sphere to one
-    /// outside it that is not turned inside out or to one inside it that is (take −B instead),
-    /// and from a circle to one that is orthogonal to it and linked with it, for which
-    /// [`versor_to_orthogonal`](Circle::versor_to_orthogonal) chooses.
-    fn versor_to(self, target: Self) -> Option<Self::Versor>;
+    /// # Errors
+    /// [`NoPath`] tells why there is none or it is not unique. Where it is
+    /// [`Reversed`](NoPath::Reversed), as for spheres outside one another, the way to −B exists
+    /// ([`path_to_either`](Carry::path_to_either)), and for rounds one as similar figures
+    /// ([`similar_path_to`](super::Resemble::similar_path_to)). Of linked and orthogonal circles
+    /// [`versor_to_orthogonal`](crate::Circle::versor_to_orthogonal) chooses one of
+    /// [`ManyWays`](NoPath::ManyWays).
+    fn versor_to(self, target: Self) -> Result<Self::Versor, NoPath>;
 
-    /// The path R_t\[A\] from this element to the target (2.67).
+    /// The path from this element to the target (2.67).
     ///
-    /// `None` where [`versor_to`](Carry::versor_to) finds no versor, or it leads no such way.
-    fn path_to(self, target: Self, way: Way) -> Option<ElementPath<Self>> {
-        ElementPath::along(self, self.versor_to(target)?, way)
+    /// # Errors
+    /// As [`versor_to`](Carry::versor_to), and [`NoPath::DoesNotTurn`] for a long way that there
+    /// is not.
+    ///
+    /// ```
+    /// use ga_cga::interpolate::{Carry, NoPath, Way};
+    /// use ga_cga::{Line, Point, Vector3};
+    ///
+    /// let east = Line::along(Point::at(0.0, 0.0, 0.0), Vector3::new(1.0, 0.0, 0.0));
+    /// let north = Line::along(Point::at(0.0, 0.0, 2.0), Vector3::new(0.0, 4.0, 0.0));
+    /// let path = east.path_to(north, Way::Short)?;
+    /// assert!((path.at(1.0) - north).norm() < 1e-14);
+    /// // The weight goes from 1 to 4 by equal factors, the height by equal steps.
+    /// let middle: Line = path.at(0.5);
+    /// assert!((middle.weight() - 2.0_f64).abs() < 1e-14);
+    /// # Ok::<(), NoPath>(())
+    /// ```
+    fn path_to(self, target: Self, way: Way) -> Result<ElementPath<Self>, NoPath> {
+        ElementPath::along(self, self.versor_to(target)?, way)?.ending_at(target)
+    }
+
+    /// The path from this element to the target in whichever orientation is nearer: to B or to
+    /// −B, which is the same figure turned inside out or run through backwards.
+    ///
+    /// # Errors
+    /// As [`path_to`](Carry::path_to), where there is no path to either.
+    ///
+    /// ```
+    /// use ga_cga::interpolate::{Carry, NoPath, Way};
+    /// use ga_cga::{DualSphere, Vector3};
+    ///
+    /// let [left, right] = [-3.0, 3.0]
+    ///     .map(|x| DualSphere::with_radius(Vector3::new(x, 0.0, 0.0), 1.0));
+    /// assert_eq!(left.path_to(right, Way::Short), Err(NoPath::Reversed));
+    /// // In the pencil of the two the way leads over the plane in their middle.
+    /// let path = left.path_to_either(right, Way::Short)?;
+    /// assert!(path.at(0.5).weight().abs() < 1e-14);
+    /// assert!((path.at(1.0) + right).norm() < 1e-12);
+    /// # Ok::<(), NoPath>(())
+    /// ```
+    fn path_to_either(self, target: Self, way: Way) -> Result<ElementPath<Self>, NoPath> {
+        let opposite = scaled(target, -Self::Number::ONE);
+        let (kept, reversed) = (self.versor_to(target), self.versor_to(opposite));
+        // The scalar part is the cosine of half the turn: the nearer, the larger.
+        let near = |versor: &Self::Versor| versor.coefficient(Blade::SCALAR).abs();
+        let (versor, end) = match (kept, reversed) {
+            (Ok(kept), Ok(reversed)) if !near(&reversed).all_le(near(&kept)) => {
+                (reversed, opposite)
+            }
+            (Ok(kept), _) => (kept, target),
+            (Err(_), Ok(reversed)) => (reversed, opposite),
+            (Err(reason), Err(_)) => return Err(reason),
+        };
+        ElementPath::along(self, versor, way)?.ending_at(end)
     }
 }
 
-/// A path R_t\[A\] with R_t = e^{t log R} (2.67; the printed sign of t leads to the inverse).
+/// A path w^t R_t\[A\] with R_t = e^{t log R} (2.67; the printed sign of t leads to the inverse)
+/// and the weight w of the target over that of the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementPath<X: Carry> {
     start: X,
+    weight: Weight<X::Number>,
     generator: <X::Versor as Continuous>::Generator,
 }
 
 impl<X: Carry> ElementPath<X> {
-    /// The path on which a versor takes an element to its image; `None` if the versor leads no
-    /// such way.
-    pub fn along(start: X, versor: X::Versor, way: Way) -> Option<Self> {
+    /// The path on which a versor takes an element to its image, of constant weight.
+    ///
+    /// # Errors
+    /// [`NoPath`] where the versor leads no such way.
+    pub fn along(start: X, versor: X::Versor, way: Way) -> Result<Self, NoPath> {
         let generator = versor.generator(way)?;
-        Some(ElementPath { start, generator })
+        let (start, unit) = in_range(start)?;
+        let weight = Weight::constant(unit);
+        Ok(ElementPath {
+            start,
+            weight,
+            generator,
+        })
     }
 
-    /// The element at t: the start at 0, the target at 1, always of the size of the start.
-    pub fn at(&self, t: <X::Versor as Continuous>::Number) -> X {
-        self.versor_at(t).apply(self.start)
+    /// The same way with a weight that goes geometrically from that of the start to that of this
+    /// target.
+    ///
+    /// # Errors
+    /// [`NoPath::Imprecise`] where the way does not end at a multiple of the target,
+    /// [`NoPath::Reversed`] where it ends at a negative one, [`NoPath::NotFinite`] where the
+    /// weights are out of range.
+    pub fn ending_at(self, target: X) -> Result<Self, NoPath> {
+        let (end, unit) = in_range(target)?;
+        let image = X::Versor::power(self.generator, X::Number::ONE).apply(self.start);
+        let factor = factor(image, end)?;
+        if factor.all_le(X::Number::ZERO) {
+            return Err(NoPath::Reversed);
+        }
+        let weight = self.weight.grown(factor, unit)?;
+        let path = ElementPath { weight, ..self };
+        finite(path.at(X::Number::ONE)).map(|_| path)
     }
 
-    /// The versor R_t that takes the start to the element at t.
-    pub fn versor_at(&self, t: <X::Versor as Continuous>::Number) -> X::Versor {
+    /// The element at t: the start at 0 and the target at 1, weights included. In between the
+    /// weight goes by equal factors, |w₀|^{1−t} |w₁|^t, so that equal steps of t are equal in
+    /// everything: the step from 0 to t takes the element at s to the one at s + t.
+    ///
+    /// It is finite at 0 and 1, and elsewhere unless what it should be is out of range.
+    pub fn at(&self, t: X::Number) -> X {
+        scaled(self.versor_at(t).apply(self.start), self.weight.at(t))
+    }
+
+    /// The versor R_t that takes the start to the element at t up to its weight.
+    pub fn versor_at(&self, t: X::Number) -> X::Versor {
         X::Versor::power(self.generator, t)
+    }
+
+    /// The factor w^t that the weight has grown by at t.
+    pub fn weight_at(&self, t: X::Number) -> X::Number {
+        Weight {
+            start: X::Number::ONE,
+            ..self.weight
+        }
+        .at(t)
     }
 
     /// The generator log R.
     pub fn generator(&self) -> <X::Versor as Continuous>::Generator {
         self.generator
-    }
-}
-
-/// Elements whose ratio is of the versor's type.
-macro_rules! by_ratio {
-    ($($Element:ident => $Versor:ident)*) => {$(
-        impl<T: Real> Carry for $Element<T> {
-            type Versor = $Versor<T>;
-
-            fn versor_to(self, target: Self) -> Option<$Versor<T>> {
-                let (from, to) = (self.normalized()?, target.normalized()?);
-                let versor = (to * from.inverse()?).sqrt()?.renormalized()?;
-                // Where the root is not unique, rounding finds one that need not lead there.
-                let size = |x: Self| x.to_array().into_iter().fold(T::ZERO, |sum, c| sum + c.abs());
-                let bound = (size(from) + size(to)) * T::EPSILON.sqrt();
-                let image = versor.apply(from);
-                size(image - to).all_le(bound).then_some(versor)
-            }
-        }
-    )*};
-}
-
-/// Vectors and their duals, whose ratio is one scalar and one blade: the root is the normalised
-/// 1 + B/A (2.38), and without a four-vector part there is nothing that rounding could add.
-macro_rules! by_simple_ratio {
-    ($($Element:ident => $Versor:ident)*) => {$(
-        impl<T: Real> Carry for $Element<T> {
-            type Versor = $Versor<T>;
-
-            fn versor_to(self, target: Self) -> Option<$Versor<T>> {
-                let ratio = target.normalized()? * self.normalized()?.inverse()?;
-                let sum = ratio + $Versor::from(Rotor::identity());
-                // A versor with V Ṽ < 0 leads from a real sphere to an imaginary one, and a sum
-                // of that kind from a sphere to one of the opposite orientation.
-                let null = |versor: Self::Versor| versor.norm_squared().all_le(T::ZERO);
-                if null(ratio) || null(sum) { None } else { sum.normalized() }
-            }
-        }
-    )*};
-}
-
-/// Elements that are a Euclidean vector or bivector at the origin or at infinity.
-macro_rules! by_direction {
-    ($($Element:ident $Euclidean:ident $between:ident)*) => {$(
-        impl<T: Real> Carry for $Element<T> {
-            type Versor = Rotor<T>;
-
-            fn versor_to(self, target: Self) -> Option<Rotor<T>> {
-                let [from, to] = [self, target].map(|x| $Euclidean::from(x.to_array()));
-                Rotor::$between(from, to)
-            }
-        }
-    )*};
-}
-
-by_simple_ratio! {
-    DualPlane => Motor
-    Plane => Motor
-    DualSphere => Even
-    Sphere => Even
-}
-by_ratio! {
-    FlatPoint => Motor
-    DualLine => Motor
-    Line => Motor
-    PointPair => Even
-    Circle => Even
-}
-by_direction! {
-    Vector3 Vector3 between
-    Bivector3 Bivector3 between_planes
-    DirectionVector Vector3 between
-    DirectionBivector Bivector3 between_planes
-    TangentVector Vector3 between
-    TangentBivector Bivector3 between_planes
-}
-
-impl<T: Real> Carry for Point<T> {
-    type Versor = Translator<T>;
-
-    fn versor_to(self, target: Self) -> Option<Translator<T>> {
-        Some(Translator::between(self, target))
     }
 }

@@ -16,18 +16,18 @@ impl<T: Real> Circle<T> {
     /// of them and so has no sphere of its own.
     ///
     /// ```
-    /// use ga_cga::interpolate::{Carry, ElementPath, Way};
+    /// use ga_cga::interpolate::{Carry, ElementPath, NoPath, Way};
     /// use ga_cga::{Circle, DualSphere, Point};
     ///
     /// let [x, y, z] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
     /// let at = |(x, y, z)| Point::at(x, y, z);
     /// let circle: Circle = at(x) ^ at(y) ^ Point::at(-1.0, 0.0, 0.0);
     /// let axis: Circle = at(z) ^ Point::at(0.0, 0.0, 0.0) ^ DualSphere::infinity();
-    /// assert_eq!(circle.versor_to(axis), None);
+    /// assert_eq!(circle.versor_to(axis), Err(NoPath::ManyWays));
     /// let versor = circle.versor_to_orthogonal(axis, Point::at(1.0, 0.3, 0.2)).unwrap();
-    /// let path = ElementPath::along(circle, versor, Way::Short).unwrap();
-    /// let end = path.at(1.0).normalized().unwrap();
-    /// assert!((end - axis.normalized().unwrap()).norm() < 1e-14);
+    /// let path = ElementPath::along(circle, versor, Way::Short)?.ending_at(axis)?;
+    /// assert!((path.at(1.0) - axis).norm() < 1e-14);
+    /// # Ok::<(), NoPath>(())
     /// ```
     pub fn versor_to_orthogonal(self, target: Self, nearest: Point<T>) -> Option<Even<T>> {
         let (from, to) = (self.normalized()?, target.normalized()?);
