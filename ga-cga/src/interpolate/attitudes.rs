@@ -38,7 +38,7 @@ macro_rules! by_direction {
         impl<T: Real> Carry for $Element<T> {
             type Versor = Rotor<T>;
 
-            fn versor_to(self, target: Self) -> Result<Rotor<T>, NoPath> {
+            fn versor_near(self, target: Self) -> Result<Rotor<T>, NoPath> {
                 let [from, to] = both_in_range(self, target)?.map($vector);
                 rotor_between(from, to)
             }
@@ -61,7 +61,7 @@ macro_rules! by_weight {
         impl<T: Real> Carry for $Element<T> {
             type Versor = Rotor<T>;
 
-            fn versor_to(self, target: Self) -> Result<Rotor<T>, NoPath> {
+            fn versor_near(self, target: Self) -> Result<Rotor<T>, NoPath> {
                 let [[from], [to]] = both_in_range(self, target)?.map(Self::to_array);
                 same_sign(from, to)
             }
@@ -76,7 +76,7 @@ by_weight! {
 impl<T: Real> Carry for Point<T> {
     type Versor = Translator<T>;
 
-    fn versor_to(self, target: Self) -> Result<Translator<T>, NoPath> {
+    fn versor_near(self, target: Self) -> Result<Translator<T>, NoPath> {
         let [from, to] = both_in_range(self, target)?;
         Ok(Translator::between(from, to))
     }

@@ -3,8 +3,8 @@
 use ga_core::ops::Apply;
 use ga_core::{Blade, Element, Real, Scalar};
 
-use super::versors::Continuous;
-use super::weight::{Weight, factor, finite, in_range, scaled};
+use super::versors::{Connect, Continuous};
+use super::weight::{Weight, both_in_range, factor, finite, in_range, scaled};
 use super::{NoPath, Way};
 
 /// Elements that a versor takes to any other of their kind.
@@ -28,7 +28,27 @@ pub trait Carry: Element<Number: Real> {
     /// ([`similar_path_to`](super::Resemble::similar_path_to)). Of linked and orthogonal circles
     /// [`versor_to_orthogonal`](crate::Circle::versor_to_orthogonal) chooses one of
     /// [`ManyWays`](NoPath::ManyWays).
-    fn versor_to(self, target: Self) -> Result<Self::Versor, NoPath>;
+    fn versor_to(self, target: Self) -> Result<Self::Versor, NoPath> {
+        let [from, to] = both_in_range(self, target)?;
+        let Some([there, back]) = from.frame() else {
+            return from.versor_near(to);
+        };
+        let versor = back.apply(from).versor_near(back.apply(to))?;
+        Ok(back.followed_by(versor).followed_by(there))
+    }
+
+    /// What [`versor_to`](Carry::versor_to) is, computed with the coefficients as they are.
+    ///
+    /// # Errors
+    /// As [`versor_to`](Carry::versor_to).
+    fn versor_near(self, target: Self) -> Result<Self::Versor, NoPath>;
+
+    /// The translation from the origin to this element and the one back, if it is farther away
+    /// than it is large: then its coefficients are large and their differences count, and what
+    /// is computed where it is is more exact. `None` where nothing is gained.
+    fn frame(self) -> Option<[Self::Versor; 2]> {
+        None
+    }
 
     /// The path from this element to the target (2.67).
     ///
@@ -50,7 +70,7 @@ pub trait Carry: Element<Number: Real> {
     /// # Ok::<(), NoPath>(())
     /// ```
     fn path_to(self, target: Self, way: Way) -> Result<ElementPath<Self>, NoPath> {
-        ElementPath::along(self, self.versor_to(target)?, way)?.ending_at(target)
+        ElementPath::between(self, target, way, Self::versor_near)
     }
 
     /// The path from this element to the target in whichever orientation is nearer: to B or to
@@ -68,16 +88,23 @@ pub trait Carry: Element<Number: Real> {
     /// assert_eq!(left.path_to(right, Way::Short), Err(NoPath::Reversed));
     /// // In the pencil of the two the way leads over the plane in their middle.
     /// let path = left.path_to_either(right, Way::Short)?;
-    /// assert!(path.at(0.5).weight().abs() < 1e-14);
+    /// let middle: f64 = path.at(0.5).weight();
+    /// assert!(middle.abs() < 1e-14);
     /// assert!((path.at(1.0) + right).norm() < 1e-12);
     /// # Ok::<(), NoPath>(())
     /// ```
     fn path_to_either(self, target: Self, way: Way) -> Result<ElementPath<Self>, NoPath> {
         let opposite = scaled(target, -Self::Number::ONE);
-        let (kept, reversed) = (self.versor_to(target), self.versor_to(opposite));
+        let (kept, reversed) = (
+            self.path_to(target, Way::Short),
+            self.path_to(opposite, Way::Short),
+        );
         // The scalar part is the cosine of half the turn: the nearer, the larger.
-        let near = |versor: &Self::Versor| versor.coefficient(Blade::SCALAR).abs();
-        let (versor, end) = match (kept, reversed) {
+        let near = |path: &ElementPath<Self>| {
+            let versor = Self::Versor::power(path.generator, Self::Number::ONE);
+            versor.coefficient(Blade::SCALAR).abs()
+        };
+        let (path, end) = match (kept, reversed) {
             (Ok(kept), Ok(reversed)) if !near(&reversed).all_le(near(&kept)) => {
                 (reversed, opposite)
             }
@@ -85,7 +112,10 @@ pub trait Carry: Element<Number: Real> {
             (Err(_), Ok(reversed)) => (reversed, opposite),
             (Err(reason), Err(_)) => return Err(reason),
         };
-        ElementPath::along(self, versor, way)?.ending_at(end)
+        match way {
+            Way::Short => Ok(path),
+            Way::Long => self.path_to(end, way),
+        }
     }
 }
 
@@ -93,6 +123,8 @@ pub trait Carry: Element<Number: Real> {
 /// and the weight w of the target over that of the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementPath<X: Carry> {
+    /// The translations to where start and generator are meant, and back.
+    frame: Option<[X::Versor; 2]>,
     start: X,
     weight: Weight<X::Number>,
     generator: <X::Versor as Continuous>::Generator,
@@ -104,14 +136,38 @@ impl<X: Carry> ElementPath<X> {
     /// # Errors
     /// [`NoPath`] where the versor leads no such way.
     pub fn along(start: X, versor: X::Versor, way: Way) -> Result<Self, NoPath> {
-        let generator = versor.generator(way)?;
-        let (start, unit) = in_range(start)?;
-        let weight = Weight::constant(unit);
+        let frame = in_range(start)?.0.frame();
+        let local = match frame {
+            Some([there, back]) => there.followed_by(versor).followed_by(back),
+            None => versor,
+        };
+        let (start, unit) = seen_from(frame, start)?;
         Ok(ElementPath {
+            frame,
             start,
-            weight,
-            generator,
+            weight: Weight::constant(unit),
+            generator: local.generator(way)?,
         })
+    }
+
+    /// The path to a target by the versor that is found between the two where they are.
+    pub(super) fn between(
+        start: X,
+        target: X,
+        way: Way,
+        find: impl Fn(X, X) -> Result<X::Versor, NoPath>,
+    ) -> Result<Self, NoPath> {
+        let [near, _] = both_in_range(start, target)?;
+        let frame = near.frame();
+        let (start, unit) = seen_from(frame, start)?;
+        let (end, _) = seen_from(frame, target)?;
+        let path = ElementPath {
+            frame,
+            start,
+            weight: Weight::constant(unit),
+            generator: find(start, end)?.generator(way)?,
+        };
+        path.ending_at(target)
     }
 
     /// The same way with a weight that goes geometrically from that of the start to that of this
@@ -122,7 +178,7 @@ impl<X: Carry> ElementPath<X> {
     /// [`NoPath::Reversed`] where it ends at a negative one, [`NoPath::NotFinite`] where the
     /// weights are out of range.
     pub fn ending_at(self, target: X) -> Result<Self, NoPath> {
-        let (end, unit) = in_range(target)?;
+        let (end, unit) = seen_from(self.frame, target)?;
         let image = X::Versor::power(self.generator, X::Number::ONE).apply(self.start);
         let factor = factor(image, end)?;
         if factor.all_le(X::Number::ZERO) {
@@ -139,12 +195,24 @@ impl<X: Carry> ElementPath<X> {
     ///
     /// It is finite at 0 and 1, and elsewhere unless what it should be is out of range.
     pub fn at(&self, t: X::Number) -> X {
-        scaled(self.versor_at(t).apply(self.start), self.weight.at(t))
+        let local = X::Versor::power(self.generator, t).apply(self.start);
+        let moved = match self.frame {
+            Some([there, _]) => there.apply(local),
+            None => local,
+        };
+        scaled(moved, self.weight.at(t))
     }
 
     /// The versor R_t that takes the start to the element at t up to its weight.
+    ///
+    /// For rounds far from the origin its coefficients are large, and [`at`](ElementPath::at) is
+    /// more exact.
     pub fn versor_at(&self, t: X::Number) -> X::Versor {
-        X::Versor::power(self.generator, t)
+        let local = X::Versor::power(self.generator, t);
+        match self.frame {
+            Some([there, back]) => back.followed_by(local).followed_by(there),
+            None => local,
+        }
     }
 
     /// The factor w^t that the weight has grown by at t.
@@ -158,6 +226,19 @@ impl<X: Carry> ElementPath<X> {
 
     /// The generator log R.
     pub fn generator(&self) -> <X::Versor as Continuous>::Generator {
-        self.generator
+        match self.frame {
+            Some([there, _]) => there.apply(self.generator),
+            None => self.generator,
+        }
     }
+}
+
+/// An element in a frame, near 1, and what it is there over that.
+fn seen_from<X: Carry>(frame: Option<[X::Versor; 2]>, x: X) -> Result<(X, X::Number), NoPath> {
+    let (x, unit) = in_range(x)?;
+    let Some([_, back]) = frame else {
+        return Ok((x, unit));
+    };
+    let (x, local) = in_range(back.apply(x))?;
+    Ok((x, unit * local))
 }

@@ -26,7 +26,7 @@ pub enum NoPath {
     ManyWays,
     /// The way does not turn, so that there is no long one.
     DoesNotTurn,
-    /// One of the two is a sum that is no versor.
+    /// One of the two is a sum that is no versor, or no blade.
     NotAVersor,
     /// Rounding leaves no versor that leads there.
     Imprecise,
@@ -45,7 +45,7 @@ impl fmt::Display for NoPath {
             }
             NoPath::ManyWays => "many ways to the target are equally short",
             NoPath::DoesNotTurn => "the way does not turn, and there is no long one",
-            NoPath::NotAVersor => "one of the two is no versor",
+            NoPath::NotAVersor => "one of the two is no versor or blade",
             NoPath::Imprecise => "rounding leaves no way that leads to the target",
         })
     }

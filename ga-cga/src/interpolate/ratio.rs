@@ -3,12 +3,14 @@
 use ga_core::{Element, Real, Scalar};
 
 use super::null::{Nulls, nulls};
+use super::versors::reason;
 use super::weight::{both_in_range, factor};
 use super::{Carry, NoPath};
 use crate::cga3::{
     Circle, DualLine, DualPlane, DualSphere, Even, FlatPoint, Line, Motor, Plane, PointPair, Rotor,
-    Sphere,
+    Sphere, Translator,
 };
+use crate::classify::Tolerance;
 
 /// Whether the one is the negative of the other to within rounding.
 fn opposite<X>(from: X, to: X) -> bool
@@ -21,11 +23,11 @@ where
 /// What all elements with a ratio have in common: null ones are moved, and the others must have
 /// squares of the same sign.
 macro_rules! carried_by {
-    ($Versor:ident $root:ident: $($Element:ident)*) => {$(
+    ($Versor:ident $root:ident $frame:ident: $($Element:ident)*) => {$(
         impl<T: Real> Carry for $Element<T> {
             type Versor = $Versor<T>;
 
-            fn versor_to(self, target: Self) -> Result<$Versor<T>, NoPath> {
+            fn versor_near(self, target: Self) -> Result<$Versor<T>, NoPath> {
                 let [from, to] = both_in_range(self, target)?;
                 let mixed = match nulls(from.into(), to.into()) {
                     Nulls::Both(motor) => return motor.map($Versor::from),
@@ -45,7 +47,7 @@ macro_rules! carried_by {
                         Some(versor) => versor,
                         None if opposite(from, to) => return Err(NoPath::Opposite),
                         None if $root!(-ratio, $Versor).is_some() => return Err(NoPath::Reversed),
-                        None => return Err(NoPath::ManyWays),
+                        None => return Err(reason(ratio)),
                     };
                     // Where the root is not unique, rounding finds one that need not lead there.
                     match factor(versor.apply(from), to) {
@@ -57,6 +59,8 @@ macro_rules! carried_by {
                 // What is null by rounding has a ratio, if to something else.
                 versor.map_err(|reason| if mixed { NoPath::DifferentKinds } else { reason })
             }
+
+            $frame! { T }
         }
     )*};
 }
@@ -81,7 +85,31 @@ macro_rules! simple_root {
     }};
 }
 
-carried_by! { Motor simple_root: DualPlane Plane }
-carried_by! { Even simple_root: DualSphere Sphere }
-carried_by! { Motor root: FlatPoint DualLine Line }
-carried_by! { Even root: PointPair Circle }
+/// Flats keep their precision wherever they are.
+macro_rules! anywhere {
+    ($T:ident) => {};
+}
+
+/// Rounds have squares of distances in their coefficients, but for those that are nearly flat
+/// and have none to speak of.
+macro_rules! at_center {
+    ($T:ident) => {
+        fn frame(self) -> Option<[Even<$T>; 2]> {
+            let place = self.center()?.position();
+            let (away, radius) = (place.norm_squared(), self.radius_squared()?.abs());
+            let near = away.all_le(radius * $T::from_integer(4));
+            // What may be a tangent must keep the distance that its rounding is judged by.
+            let tangent = radius.all_le(away * Tolerance::default().relative);
+            if near || tangent {
+                return None;
+            }
+            let there = Translator::by(place);
+            Some([there, there.reverse()].map(Even::from))
+        }
+    };
+}
+
+carried_by! { Motor simple_root anywhere: DualPlane Plane }
+carried_by! { Even simple_root at_center: DualSphere Sphere }
+carried_by! { Motor root anywhere: FlatPoint DualLine Line }
+carried_by! { Even root at_center: PointPair Circle }

@@ -44,7 +44,7 @@ pub trait Resemble: Carry {
     /// # Ok::<(), NoPath>(())
     /// ```
     fn similar_path_to(self, target: Self, way: Way) -> Result<ElementPath<Self>, NoPath> {
-        ElementPath::along(self, self.similarity_to(target)?, way)?.ending_at(target)
+        ElementPath::between(self, target, way, Self::similarity_to)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 
+use ga_core::ops::Apply;
 use ga_core::{Element, Real, Scalar};
 
 use super::weight::{Weight, both_in_range, factor, finite, in_range, scaled};
@@ -13,7 +14,9 @@ use crate::cga3::{
 use crate::classify::range::largest;
 
 /// A versor that is the exponential of a generator and can be gone in part.
-pub trait Continuous: Element<Number: Real> {
+pub trait Continuous:
+    Connect<Step = Self> + Debug + Apply<Self::Generator, Output = Self::Generator>
+{
     /// The type of the generator.
     type Generator: Copy + Debug + PartialEq;
 
@@ -113,7 +116,7 @@ impl<V: Connect> VersorPath<V> {
 }
 
 /// Why a versor has no logarithm of either sign.
-fn reason<T: Real>(versor: impl Into<Multivector<T>>) -> NoPath {
+pub(super) fn reason<T: Real>(versor: impl Into<Multivector<T>>) -> NoPath {
     let Ok((versor, _)) = in_range::<Multivector<T>>(versor.into()) else {
         return NoPath::NotFinite;
     };

@@ -300,3 +300,42 @@ fn orthogonal_circles_are_carried_as_a_point_chooses() {
         None
     );
 }
+
+/// At a distance of 10⁴ a path ends where it should, and in between too: at what the same path
+/// is near the origin.
+#[test]
+fn far_elements_are_carried_as_near_ones() {
+    let mut random = Random::new(89);
+    let far = 1e4;
+    for _ in 0..300 {
+        let shift = Translator::by(random.direction() * far);
+        let (center, radius) = (random.point(), 1.5 + random.number());
+        let along = random.direction();
+        let other = Point::from(center.position() + random.vector());
+        let spheres = [
+            DualSphere::about(center, radius * radius),
+            DualSphere::about(other, 4.0 * radius * radius),
+        ];
+        let pairs = [along, random.direction()].map(|along| spheres[0].pair_along(along));
+        let planes = [along, random.direction()].map(|along| DualPlane::at_distance(along, 1.0));
+        macro_rules! alike {
+            ($($list:ident: $Type:ident)*) => {$(
+                let [from, to] = $list;
+                let near = from.path_to(to, Way::Short).expect("near");
+                let [a, b] = [from, to].map(|x| shift.apply(x));
+                let path = a.path_to(b, Way::Short).expect("far");
+                for t in [0.0, 0.4, 1.0] {
+                    let expected: $Type = shift.apply(near.at(t));
+                    let off = apart(path.at(t), expected);
+                    // What the coefficients know of a radius, 10⁻¹⁶ d², and what becomes of
+                    // it where the two are nearly opposite.
+                    assert!(off < 1e-5, "{off} at {t}");
+                }
+                let back: $Type = shift.reverse().apply(path.at(1.0));
+                assert!(size(back - to) < 1e-7 * (1.0 + size(to)));
+                assert!(apart(path.at(1.0), b) < 1e-7);
+            )*};
+        }
+        alike! { spheres: DualSphere pairs: PointPair planes: DualPlane }
+    }
+}

@@ -94,6 +94,10 @@ fn versors_are_refused_for_the_right_reason() {
     refused(identity, sphere(-1.0), NoPath::ManyWays);
     let still = identity.versor_path_to(identity, Way::Long);
     assert_eq!(still, Err(NoPath::DoesNotTurn));
+    // The generator of a screw is no line.
+    let screw = DualLine::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.5);
+    let line = DualLine::new(0.0, 1.0, 0.0, 0.0, 0.0, 0.0);
+    assert_eq!(ways(line, screw, 1e-9), neither(NoPath::NotAVersor));
     let null = Odd::from(DualSphere::<f64>::infinity());
     assert_eq!(null.versor_path_to(null, Way::Short), Err(NoPath::Null));
 }
