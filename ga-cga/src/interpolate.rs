@@ -59,7 +59,7 @@
 //!
 //! **Which way** to turn is for the caller to say ([`Way`]), and where there is no path,
 //! [`NoPath`] tells why. The kind of an element that is null by rounding, a tangent, is decided
-//! as [`classify`](crate::classify#tolerance) does, for a scene of the size of the two elements.
+//! as [`classify`](mod@crate::classify#tolerance) does, for a scene of the size of the two elements.
 //!
 //! # Accuracy
 //! Paths of rounds are computed about the centre where they start, if that is farther from the
