@@ -50,9 +50,17 @@ impl<T: Real> Rotor<T> {
     /// The shortest rotation from the direction of one vector to that of another (2.38);
     /// `None` where one is zero or they are opposite, which leaves the plane open.
     pub fn between(from: Vector<T>, to: Vector<T>) -> Option<Self> {
-        let mut half_way: Rotor<T> = to.normalized()? * from.normalized()?;
-        half_way.s += T::ONE;
-        half_way.normalized()
+        let (from, to) = (from.normalized()?, to.normalized()?);
+        let (sum, difference) = (from + to, to - from);
+        // With the unit vector h half-way, 1 + ba = (a + b) a is a multiple of h a. Near opposite
+        // vectors the part of a + b along b − a, which should be zero, is rounding error.
+        let half_way: Vector<T> = if difference.norm_squared().all_le(T::ONE) {
+            sum
+        } else {
+            sum.reject(difference)
+        };
+        let rotor: Rotor<T> = half_way.normalized()? * from;
+        rotor.normalized()
     }
 }
 

@@ -53,6 +53,22 @@ proptest! {
     }
 }
 
+/// Close to opposite vectors the rotation is as exact as anywhere else.
+#[test]
+fn nearly_opposite_vectors_leave_one_plane() {
+    use euclidean3::{Rotor, Vector};
+    let (a, b) = (Vector::new(0.48, -0.6, 0.64), Vector::new(0.8, 0.0, -0.6));
+    for exponent in 1..=14 {
+        let to = -a + b * 10_f64.powi(-exponent);
+        let rotor = Rotor::between(a, to).expect("not opposite");
+        let image = rotor.apply(a);
+        assert!((image - to / to.norm()).norm() < 2e-15, "1e-{exponent}");
+        // The plane itself is only as good as the difference that makes it.
+        let normal = a.cross(b);
+        assert!((rotor.apply(normal) - normal).norm() < 4e-15 * 10_f64.powi(exponent));
+    }
+}
+
 #[test]
 fn what_leaves_the_plane_open_is_none() {
     use euclidean3::{Bivector, Rotor, Vector};

@@ -299,6 +299,36 @@ fn logarithms_of_translations() {
     assert_eq!(flat::Motor::<f64>::default().sqrt(), None);
 }
 
+/// Lines that are parallel up to the rounding of their coordinates have the distance of parallel
+/// lines: the sine of their angle, which is rounding error, is not divided by.
+#[test]
+fn nearly_parallel_lines_have_a_distance() {
+    for i in 0..1000 {
+        let number = |k: u32| (f64::from(i * 7 + k) * 0.731).sin();
+        let along = [number(1), number(2), number(3)];
+        let [a, b] = [[number(4), number(5), number(6)], [0.3, -1.2, 2.0]];
+        let line = |p: Space, scale: f64| -> Line {
+            let q: Space = std::array::from_fn(|i| p[i] + scale * along[i]);
+            point(p) & point(q)
+        };
+        let [u, p, q] = [along, a, b].map(Vector3::from);
+        let expected = (q - p).cross(&u.normalize()).norm();
+        for scale in [1.0, -3.7] {
+            let found = line(a, 1.0).distance(line(b, scale)).expect("lines");
+            assert!(
+                (found - expected).abs() < 1e-13,
+                "{found} is not {expected}"
+            );
+        }
+        // A thousandth of a degree off, they pass each other at a point.
+        let off = Vector3::new(number(7), number(8), number(9)) * 2e-5;
+        let tilted: Line = point(b) & point((q + u + off).into());
+        let across = u.cross(&(u + off)).normalize();
+        let found = line(a, 1.0).distance(tilted).expect("lines");
+        assert!((found - across.dot(&(q - p)).abs()).abs() < 1e-8, "{found}");
+    }
+}
+
 /// Parallel lines have a distance, also where they coincide; anti-parallel ones too.
 #[test]
 fn parallel_lines_have_a_distance() {

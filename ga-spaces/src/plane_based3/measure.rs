@@ -41,12 +41,12 @@ impl<T: Real> Line<T> {
     ///
     /// The commutator of two unit lines is the common perpendicular times the sine of their
     /// angle, their outer product the distance times that sine. For parallel lines both vanish,
-    /// and the commutator is the line at infinity whose size is the distance.
+    /// up to rounding, and the commutator is the line at infinity whose size is the distance.
     pub fn distance(self, other: Self) -> Option<T> {
         let (a, b) = (self.normalized()?, other.normalized()?);
         let perpendicular = a.commutator(b);
         let sine = perpendicular.norm();
-        if sine.is_invertible() {
+        if !sine.all_le(T::EPSILON * T::from_integer(64)) {
             return Some((a ^ b).e0123.abs() / sine);
         }
         let [_, _, _, x, y, z] = perpendicular.to_array();
