@@ -43,18 +43,31 @@ where
     match Frame::of(a, b) {
         Ok(frame) => {
             let (shared, extended) = common(&frame, frame.a, frame.b);
-            let grade = main_grade(shared);
-            if !extended {
-                frame.carry_back(shared)
-            } else if grade == main_grade(frame.a) {
-                classify(a)
-            } else if grade == main_grade(frame.b) {
-                classify(b)
+            if extended {
+                one_of_both(&frame, [a, b], shared)
             } else {
                 frame.carry_back(shared)
             }
         }
         Err(none) => none,
+    }
+}
+
+/// A meet or join with no weight of its own, carried back; or one of the two elements as it was
+/// given where it has the grade of that one: what lies in an element, or holds it, and is of its
+/// grade is the element itself.
+fn one_of_both<T: Real>(
+    frame: &Frame<T>,
+    [a, b]: [Multivector<T>; 2],
+    found: Multivector<T>,
+) -> Classification<T> {
+    let grade = main_grade(found);
+    if grade == main_grade(frame.a) {
+        classify(a)
+    } else if grade == main_grade(frame.b) {
+        classify(b)
+    } else {
+        frame.carry_back(found)
     }
 }
 
@@ -113,15 +126,7 @@ where
             }
             // What holds both is at right angles to what is at right angles to both.
             let (outside, _) = common(&frame, frame.a.dual(), frame.b.dual());
-            let span = outside.undual();
-            let grade = main_grade(span);
-            if grade == main_grade(frame.a) {
-                classify(a)
-            } else if grade == main_grade(frame.b) {
-                classify(b)
-            } else {
-                frame.carry_back(span)
-            }
+            one_of_both(&frame, [a, b], outside.undual())
         }
         Err(none) => none,
     }
