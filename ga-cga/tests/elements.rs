@@ -4,15 +4,23 @@
 mod classification;
 #[path = "elements/construction.rs"]
 mod construction;
+#[path = "elements/far_places.rs"]
+mod far_places;
 #[path = "elements/incidence.rs"]
 mod incidence;
 #[path = "elements/measures.rs"]
 mod measures;
 #[path = "elements/meets.rs"]
 mod meets;
+#[path = "elements/number_types.rs"]
+mod number_types;
 #[path = "elements/odd_input.rs"]
 mod odd_input;
 #[path = "elements/oracle.rs"]
 mod oracle;
-#[path = "elements/queries.rs"]
-mod queries;
+#[path = "elements/point_pairs.rs"]
+mod point_pairs;
+#[path = "elements/round_trips.rs"]
+mod round_trips;
+#[path = "elements/surrounds.rs"]
+mod surrounds;

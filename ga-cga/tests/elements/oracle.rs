@@ -46,6 +46,14 @@ impl Random {
     }
 }
 
+/// How many random elements of each kind make the trip.
+pub const TRIPS: usize = 100_000;
+
+/// A factor of either sign between 1e−3 and 1e3.
+pub fn weight(random: &mut Random) -> f64 {
+    random.signed().signum() * 10_f64.powf(3.0 * random.signed())
+}
+
 pub fn vector(v: na::Vector3<f64>) -> Vector3 {
     Vector3::new(v.x, v.y, v.z)
 }
