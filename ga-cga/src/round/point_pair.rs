@@ -103,7 +103,10 @@ impl<T: Real> PointPair<T> {
     pub fn split_within(self, tolerance: Tolerance<T>) -> SplitPair<T> {
         let classification = classify_within(self, tolerance);
         let split = match classification {
-            Classification::Direct(Shape::RealRound(Round::PointPair(pair))) => pair.ends(),
+            Classification::Direct(Shape::RealRound(Round::PointPair(pair))) => {
+                let ends = pair.ends();
+                ends.map(|[first, second]| SplitPair::Real { first, second })
+            }
             Classification::Direct(Shape::ImaginaryRound(Round::PointPair(pair))) => {
                 let place = pair.center().zip(pair.radius_squared());
                 place.map(|(center, radius_squared)| SplitPair::Imaginary {
@@ -126,15 +129,32 @@ impl<T: Real> PointPair<T> {
         split.unwrap_or(SplitPair::NoPair(classification))
     }
 
-    /// The points of a real pair; `None` for another one.
-    fn ends(self) -> Option<SplitPair<T>> {
+    /// The two points of a real pair, in the order of its orientation (2.57).
+    ///
+    /// Nothing is decided by a tolerance, as [`split`](PointPair::split) does: any positive
+    /// squared radius makes two points. `None` where it is zero, negative, or there is none.
+    ///
+    /// ```
+    /// use ga_cga::{Point, PointPair, Vector3};
+    ///
+    /// let (a, b) = (Point::at(1.0, 2.0, 3.0), Point::at(1.0, 2.0, 5.0));
+    /// assert_eq!((a ^ b).ends(), Some([a, b]));
+    /// let direction = Vector3::new(0.0, 0.0, 1.0);
+    /// assert_eq!(PointPair::about(a, -4.0, direction).ends(), None);
+    /// assert_eq!(PointPair::tangent(a, direction).ends(), None);
+    /// ```
+    pub fn ends(self) -> Option<[Point<T>; 2]> {
         let pair = within_range(self)?;
+        // X X̃ = −κ² for a bivector.
+        let square = -pair.norm_squared();
+        if square.all_le(T::ZERO) {
+            return None;
+        }
         // κ/v for the vector v = −n_∞⌋κ is (κ⌊v)/v², and the weight is divided out again.
         let along: DualSphere<T> = -DualSphere::infinity().left_contract(pair);
-        let root = (-pair.norm_squared()).sqrt();
+        let root = square.sqrt();
         let middle = -along.left_contract(pair);
-        let end = |root: T| (middle + along * root).center();
-        let (first, second) = (end(-root)?, end(root)?);
-        Some(SplitPair::Real { first, second })
+        let [first, second] = [-root, root].map(|root| (middle + along * root).center());
+        Some([first?, second?])
     }
 }

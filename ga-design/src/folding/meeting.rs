@@ -1,6 +1,6 @@
 //! Where three spheres meet: the places at given distances from three points (figure 2.17).
 
-use ga_cga::{Circle, DualSphere, Point, PointPair};
+use ga_cga::{Circle, DualSphere, Point, PointPair, Translator};
 
 /// Up to which part of a squared radius the squared half distance of two places is taken for
 /// rounding error, and the places for one.
@@ -48,10 +48,18 @@ impl Meeting {
     /// assert!(below.distance(Point::at(0.5, 0.5, -height)) < 1e-15);
     /// ```
     #[must_use]
-    pub fn of([first, second, third]: [DualSphere; 3]) -> Self {
+    pub fn of(spheres: [DualSphere; 3]) -> Self {
+        // About the first centre, where squared radii do not drown in squared distances.
+        let center = spheres[0].center().map(Point::position);
+        let there = Translator::by(center.unwrap_or_default());
+        let [first, second, third] = spheres.map(|sphere| there.reverse().apply(sphere));
         let dual: Circle = first ^ second ^ third;
         let radius = first.radius_squared().unwrap_or_default().abs();
-        Self::within(dual.undual(), TANGENT * radius)
+        match Self::within(dual.undual(), TANGENT * radius) {
+            Meeting::Two(places) => Meeting::Two(places.map(|place| there.apply(place))),
+            Meeting::One(place) => Meeting::One(there.apply(place)),
+            none => none,
+        }
     }
 
     /// The two points of a point pair, which three spheres share, in the order of its orientation.
@@ -62,25 +70,11 @@ impl Meeting {
 
     /// The points of a pair; squared half distances up to `tangent` are taken for zero.
     fn within(pair: PointPair, tangent: f64) -> Self {
-        // p∓ = (κ ± √κ²)/(−n_∞·κ) (2.57): the sphere half-way between the two points, which is
-        // the plane of the centres, and from it the half distance either way.
-        let plane: DualSphere = -DualSphere::infinity().left_contract(pair);
-        let weight = plane.norm_squared();
-        let middle: DualSphere = pair.right_contract(plane);
-        let (Some(center), true) = (middle.center(), weight > 0.0) else {
-            return Meeting::Aligned;
-        };
-        let square = pair.scalar_product(pair) / weight;
-        if square.abs() <= tangent {
-            return Meeting::One(center);
-        }
-        if square.is_nan() || square < 0.0 {
-            return Meeting::Apart;
-        }
-        let half = plane * (square.sqrt() * weight.sqrt());
-        match [middle - half, middle + half].map(DualSphere::center) {
-            [Some(before), Some(after)] => Meeting::Two([before, after]),
-            _ => Meeting::Aligned,
+        match pair.center().zip(pair.radius_squared()) {
+            Some((center, square)) if square.abs() <= tangent => Meeting::One(center),
+            Some((_, square)) if square < 0.0 => Meeting::Apart,
+            Some(_) => pair.ends().map_or(Meeting::Aligned, Meeting::Two),
+            None => Meeting::Aligned,
         }
     }
 
