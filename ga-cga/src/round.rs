@@ -61,7 +61,7 @@ use crate::classify::range::{length, within_range};
 
 pub use circle::CircleOrLine;
 pub use degenerate::Degenerate;
-pub(crate) use degenerate::{coincide, collinear};
+pub(crate) use degenerate::{coincide, collinear, underflows};
 pub use point_pair::SplitPair;
 pub use sphere::SphereOrPlane;
 

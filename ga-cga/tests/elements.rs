@@ -4,6 +4,10 @@
 mod classification;
 #[path = "elements/construction.rs"]
 mod construction;
+#[path = "elements/duals.rs"]
+mod duals;
+#[path = "elements/extreme_sizes.rs"]
+mod extreme_sizes;
 #[path = "elements/far_places.rs"]
 mod far_places;
 #[path = "elements/incidence.rs"]

@@ -3,7 +3,7 @@
 use ga_core::{Real, Scalar};
 
 use crate::cga3::{DirectionBivector, DualPlane, Point, Vector3};
-use crate::classify::range::length;
+use crate::classify::range::{length, within_range};
 
 impl<T: Scalar> DualPlane<T> {
     /// The plane with this normal at a distance δ from the origin along it, **n** + δ n_∞
@@ -36,7 +36,7 @@ impl<T: Real> DualPlane<T> {
     /// The plane through a point with this normal, which need not have unit length; `None` for
     /// a normal of length zero.
     pub fn through(point: Point<T>, normal: Vector3<T>) -> Option<Self> {
-        let normal = normal.normalized()?;
+        let normal = within_range(normal)?.normalized()?;
         let distance = normal.scalar_product(point.position());
         Some(DualPlane::at_distance(normal, distance))
     }

@@ -5,7 +5,7 @@ use ga_core::{Field, Real};
 use super::attitude;
 use crate::cga3::{Bivector3, DirectionBivector, DualSphere, Plane, Point, Vector3};
 use crate::classify::range::length;
-use crate::round::{Degenerate, coincide, collinear};
+use crate::round::{Degenerate, coincide, collinear, underflows};
 
 impl<T: Field> Plane<T> {
     /// The plane through a point with the attitude of a bivector, p∧**B**∧n_∞.
@@ -43,6 +43,9 @@ impl<T: Real> Plane<T> {
         }
         if coincide(x, y) || coincide(y, z) || coincide(z, x) {
             return Err(Degenerate::CoincidentPoints);
+        }
+        if underflows(length(y - x) * length(z - x)) {
+            return Err(Degenerate::NotFinite);
         }
         if collinear(x, y, z) {
             return Err(Degenerate::CollinearPoints);

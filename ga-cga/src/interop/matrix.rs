@@ -8,6 +8,7 @@ use core::fmt;
 use ga_core::Real;
 
 use crate::cga3::{Dilator, Even, Motor, Rotor, Translator, Trivector3, Vector3};
+use crate::classify::range::within_range;
 
 /// The error up to which `TryFrom` takes a matrix for one of a motion or a similarity, against
 /// its scale: it lets matrices of single precision pass.
@@ -70,7 +71,7 @@ impl<T: Real> Rotor<T> {
     /// assert!((zz - 1.0_f64).abs() < 1e-15);
     /// ```
     pub fn to_matrix(self) -> Option<[[T; 3]; 3]> {
-        let rotor = self.normalized()?;
+        let rotor = within_range(self)?.normalized()?;
         let [x, y, z] = axes().map(|axis| rotor.apply(axis).to_array());
         Some(core::array::from_fn(|row| [x[row], y[row], z[row]]))
     }

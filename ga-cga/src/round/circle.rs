@@ -4,9 +4,9 @@ use ga_core::convert::pick;
 use ga_core::{Field, Real};
 
 use super::Degenerate;
-use super::degenerate::{coincide, collinear};
+use super::degenerate::{coincide, collinear, underflows};
 use crate::cga3::{Bivector3, Circle, DualSphere, Line, Point, Translator, Vector3};
-use crate::classify::range::length;
+use crate::classify::range::{larger, length};
 
 /// What three points determine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +92,10 @@ impl<T: Real> Circle<T> {
         }
         if coincide(x, y) || coincide(y, z) || coincide(z, x) {
             return Err(Degenerate::CoincidentPoints);
+        }
+        let [u, v] = [q, r].map(|point| length(point.position()));
+        if underflows(u * v * larger(u, v)) {
+            return Err(Degenerate::NotFinite);
         }
         if collinear(x, y, z) {
             let line: Line<T> = pick(local);

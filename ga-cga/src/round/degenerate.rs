@@ -5,7 +5,7 @@ use core::fmt;
 use ga_core::Real;
 
 use crate::cga3::Vector3;
-use crate::classify::range::{epsilon, larger, length};
+use crate::classify::range::{larger, length};
 
 /// Why there is no element through these points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,8 @@ pub enum Degenerate {
     CollinearPoints,
     /// The four points are on one circle, and a sphere through them is not unique.
     CocircularPoints,
-    /// A coordinate is not finite, or so large that the element is not.
+    /// A coordinate is not finite, or the points are so far from the origin or so close to
+    /// each other that the coefficients of their product are out of range.
     NotFinite,
 }
 
@@ -39,7 +40,12 @@ const ROUNDING: i64 = 16;
 
 /// The rounding of positions of this size.
 pub(super) fn rounding<T: Real>(size: T) -> T {
-    size * epsilon::<T>() * T::from_integer(ROUNDING)
+    size * T::EPSILON * T::from_integer(ROUNDING)
+}
+
+/// Whether a product of lengths is so small that its rounding is out of range.
+pub(crate) fn underflows<T: Real>(product: T) -> bool {
+    !(product * T::EPSILON).is_invertible()
 }
 
 /// Whether two positions are the same to within rounding.

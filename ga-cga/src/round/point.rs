@@ -3,6 +3,7 @@
 use ga_core::{Field, Real};
 
 use crate::cga3::{Point, Vector3};
+use crate::classify::range::length;
 
 impl<T: Field> Point<T> {
     /// The point with these Cartesian coordinates (2.44).
@@ -36,7 +37,7 @@ impl<T: Real> Point<T> {
     /// assert_eq!(Point::at(1e8, 0.0, 0.0).distance(Point::at(1e8, 3.0, 4.0)), 5.0);
     /// ```
     pub fn distance(self, other: Self) -> T {
-        (self.position() - other.position()).norm()
+        length(self.position() - other.position())
     }
 }
 

@@ -4,7 +4,7 @@ use ga_core::convert::pick;
 use ga_core::{Field, Real};
 
 use super::Degenerate;
-use super::degenerate::{coincide, collinear, rounding};
+use super::degenerate::{coincide, collinear, rounding, underflows};
 use crate::cga3::{DualSphere, Plane, Point, Sphere, Translator};
 use crate::classify::range::{larger, length};
 
@@ -98,10 +98,14 @@ impl<T: Real> Sphere<T> {
                 return Err(Degenerate::CoincidentPoints);
             }
         }
-        // A product of three lengths is uncertain by its own rounding and by that of the
-        // coordinates; with two more lengths so is the coplanar part.
         let away = positions.map(length).into_iter().fold(T::ZERO, larger);
         let [u, v, t] = [q, r, s].map(|point| length(point.position()));
+        let reach = larger(larger(u, v), t);
+        if underflows(u * v * t * reach) {
+            return Err(Degenerate::NotFinite);
+        }
+        // A product of three lengths is uncertain by its own rounding and by that of the
+        // coordinates; with two more lengths so is the coplanar part.
         let uncertain = |volume: T| {
             let areas = u * v + v * t + t * u;
             rounding(volume) + rounding(away) * areas
@@ -113,7 +117,6 @@ impl<T: Real> Sphere<T> {
             return Err(Degenerate::CollinearPoints);
         }
         let plane: Plane<T> = pick(local);
-        let reach = larger(larger(u, v), t);
         if plane.weight().all_le(uncertain(u * v * t) * reach) {
             return Err(Degenerate::CocircularPoints);
         }

@@ -7,7 +7,12 @@ use crate::cga3::Dilator;
 impl<T: Real> Dilator<T> {
     /// The scaling about the origin by a factor, e^{−cE/2} with e^{−c} for the factor (2.4.4; the
     /// printed “dilation of amount c” scales by e^{−c}). A negative factor reflects in the origin
-    /// too, which E itself does. `None` for a factor of zero or one that is not finite.
+    /// too, which E itself does.
+    ///
+    /// The two coefficients differ by less and less the farther the factor is from 1: it is kept to
+    /// within a few roundings times the factor or its inverse, the larger of the two (10⁻⁸ for a
+    /// factor of 10⁸). `None` where nothing of it would be left, from 10¹⁶ and 10⁻¹⁶ on in
+    /// double precision, and for a factor of zero or one that is not finite.
     ///
     /// ```
     /// use ga_cga::{Dilator, Point};
@@ -20,13 +25,11 @@ impl<T: Real> Dilator<T> {
         // D scales n_∞ by s + e and n_o by s − e, so the factor is the ratio of the two; the root
         // makes their product one.
         let double_root = factor.abs().sqrt() * T::from_integer(2);
-        let usable = double_root.is_invertible() && double_root.is_finite();
-        usable.then(|| {
-            Dilator::new(
-                (factor + T::ONE) / double_root,
-                (factor - T::ONE) / double_root,
-            )
-        })
+        let dilator = Dilator::new(
+            (factor + T::ONE) / double_root,
+            (factor - T::ONE) / double_root,
+        );
+        dilator.factor().filter(|f| f.is_finite()).map(|_| dilator)
     }
 
     /// The identity.

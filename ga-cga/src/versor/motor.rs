@@ -3,6 +3,7 @@
 use ga_core::Real;
 
 use crate::cga3::{Bivector3, DualLine, Line, Motor, Rotor, Translator, Trivector3, Vector3};
+use crate::classify::range::within_range;
 
 impl<T: Real> Motor<T> {
     /// The motion that rotates about the origin first and then translates.
@@ -38,7 +39,7 @@ impl<T: Real> Motor<T> {
     /// ```
     pub fn about_line(axis: DualLine<T>, angle: T) -> Option<Self> {
         // The unit versor nearest to λ is the half turn about its axis: the unit line itself.
-        let line = Motor::from(axis).renormalized()?;
+        let line = Motor::from(within_range(axis)?).renormalized()?;
         let (sin, cos) = (angle * T::from_ratio(1, 2)).sin_cos();
         let turn = line * -sin + Motor::identity() * cos;
         cos.is_finite().then_some(turn)
@@ -55,7 +56,7 @@ impl<T: Real> Motor<T> {
     /// the direction from which the rotation is seen to go clockwise (a right-handed screw if
     /// both are positive). `None` for a line at infinity.
     pub fn screw(axis: DualLine<T>, angle: T, rise: T) -> Option<Self> {
-        let plane = Bivector3::new(axis.e12, axis.e13, axis.e23).normalized()?;
+        let plane = within_range(Bivector3::new(axis.e12, axis.e13, axis.e23))?.normalized()?;
         let direction: Vector3<T> = plane * Trivector3::new(-T::ONE);
         Some(Translator::by(direction * rise) * Motor::about_line(axis, angle)?)
     }
@@ -63,11 +64,11 @@ impl<T: Real> Motor<T> {
     /// The rotation R of the motor M = T R, about the origin; `None` for zero and for motors
     /// without it, which are no versors.
     pub fn rotation(self) -> Option<Rotor<T>> {
-        Rotor::new(self.s, self.e12, self.e13, self.e23).normalized()
+        within_range(Rotor::new(self.s, self.e12, self.e13, self.e23))?.normalized()
     }
 
     /// The translation T of the motor M = T R, which comes after the rotation about the origin;
-    /// `None` where there is no [`rotation`](Motor::rotation).
+    /// `None` where there is no [`rotation`](Motor::rotation), or the vector is out of range.
     ///
     /// ```
     /// use ga_cga::{Motor, Rotor, Translator, Vector3};
@@ -78,16 +79,11 @@ impl<T: Real> Motor<T> {
     /// assert!((motor.translation().unwrap().vector() - shift).norm() < 1e-15);
     /// ```
     pub fn translation(self) -> Option<Translator<T>> {
-        let rotor = self.rotation()?;
-        let shift = self * rotor.reverse();
+        let shift = within_range(self)? * self.rotation()?.reverse();
         let weight = shift.s;
-        (weight.is_invertible() && weight.is_finite()).then(|| {
-            Translator::new(
-                shift.e1ni / weight,
-                shift.e2ni / weight,
-                shift.e3ni / weight,
-            )
-        })
+        let [x, y, z] = [shift.e1ni, shift.e2ni, shift.e3ni].map(|part| part / weight);
+        let finite = [x, y, z].into_iter().all(T::is_finite);
+        (weight.is_invertible() && finite).then(|| Translator::new(x, y, z))
     }
 
     /// The identity.

@@ -3,6 +3,7 @@
 use ga_core::Real;
 
 use crate::cga3::{Bivector3, Rotor, Trivector3, Vector3};
+use crate::classify::range::{length, within_range};
 
 impl<T: Real> Rotor<T> {
     /// The rotation by an angle in radians in the plane of a bivector, in its sense:
@@ -17,7 +18,7 @@ impl<T: Real> Rotor<T> {
     /// assert!((image - Vector3::new(0.0, 1.0, 0.0)).norm() < 1e-15);
     /// ```
     pub fn turn(plane: Bivector3<T>, angle: T) -> Option<Self> {
-        let plane = plane.normalized()?;
+        let plane = within_range(plane)?.normalized()?;
         let (sin, cos) = (angle * T::from_ratio(1, 2)).sin_cos();
         // Euler's formula (2.33), because an exponent of size 10²⁰⁰ has no square.
         let rotor = Rotor::from(plane * -sin) + Rotor::identity() * cos;
@@ -46,6 +47,7 @@ impl<T: Real> Rotor<T> {
     /// assert_eq!(Rotor::between(a, -a), None);
     /// ```
     pub fn between(from: Vector3<T>, to: Vector3<T>) -> Option<Self> {
+        let [from, to] = [within_range(from)?, within_range(to)?];
         let (from, to) = (from.normalized()?, to.normalized()?);
         let (sum, difference) = (from + to, to - from);
         // With the unit vector h half-way, 1 + ba = (a + b) a is a multiple of h a. Near opposite
@@ -81,9 +83,9 @@ impl<T: Real> Rotor<T> {
         if let Some(rotor) = Rotor::between(from, to) {
             return Some(rotor);
         }
-        let (from, _) = (from.normalized()?, to.normalized()?);
+        let (from, _) = (within_range(from)?.normalized()?, within_range(to)?);
         // A quarter turn on in the plane is a ⌋ B, and a ∧ (a ⌋ B) the part of B through a.
-        let through = from ^ from.left_contract(plane.normalized()?);
+        let through = from ^ from.left_contract(within_range(plane)?.normalized()?);
         Rotor::turn(through, T::PI)
     }
 
@@ -101,12 +103,12 @@ impl<T: Real> Rotor<T> {
     /// [0, 2π).
     pub fn angle(self) -> T {
         let plane = Bivector3::new(self.e12, self.e13, self.e23);
-        plane.norm().atan2(self.s) * T::from_integer(2)
+        length(plane).atan2(self.s) * T::from_integer(2)
     }
 
     /// The unit bivector B in whose sense it turns, R = e^{−θB/2}; `None` for the identity.
     pub fn plane(self) -> Option<Bivector3<T>> {
-        Bivector3::new(-self.e12, -self.e13, -self.e23).normalized()
+        within_range(Bivector3::new(-self.e12, -self.e13, -self.e23))?.normalized()
     }
 
     /// The unit vector about which it turns anticlockwise, seen against its direction; `None`

@@ -3,11 +3,12 @@
 use ga_core::Real;
 
 use crate::cga3::{Dilator, DualSphere, Even, Point, Rotor, Translator, Vector3};
+use crate::classify::range::within_range;
 
 impl<T: Real> Even<T> {
     /// The scaling by a factor about a point p, e^{−c p∧n_∞/2} with e^{−c} for the factor
-    /// (2.4.4); a negative factor reflects in the point too. `None` for a factor of zero or one
-    /// that is not finite.
+    /// (2.4.4); a negative factor reflects in the point too. `None` for a factor that
+    /// [`Dilator::scaling`] does not take.
     ///
     /// ```
     /// use ga_cga::{Even, Point};
@@ -45,7 +46,8 @@ impl<T: Real> Even<T> {
     /// assert!((translation.vector() - shift.vector()).norm() < 1e-14);
     /// ```
     pub fn similarity_parts(self, tolerance: T) -> Option<(Dilator<T>, Rotor<T>, Translator<T>)> {
-        let infinity = self.apply(DualSphere::infinity());
+        let versor = within_range(self)?;
+        let infinity = versor.apply(DualSphere::infinity());
         let factor = infinity.ni;
         let place = Vector3::new(infinity.e1, infinity.e2, infinity.e3).norm();
         let off = infinity.no.abs() + place;
@@ -53,9 +55,9 @@ impl<T: Real> Even<T> {
             return None;
         }
         let scaling = Dilator::scaling(factor)?;
-        let image = Point::at(T::ZERO, T::ZERO, T::ZERO).image_under(self)?;
+        let image = Point::at(T::ZERO, T::ZERO, T::ZERO).image_under(versor)?;
         let translation = Translator::by(image.position());
-        let turn = translation.reverse() * self * scaling.inverse()?;
+        let turn = translation.reverse() * versor * scaling.inverse()?;
         let rotation = Rotor::new(turn.s, turn.e12, turn.e13, turn.e23).normalized()?;
         Some((scaling, rotation, translation))
     }
