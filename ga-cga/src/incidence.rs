@@ -38,6 +38,7 @@
 //! 1 + (d/s)² where a round takes part.
 
 mod angle;
+mod circle;
 mod contains;
 mod distance;
 mod figure;

@@ -1,5 +1,7 @@
 //! The elements of the conformal model against plain vector geometry.
 
+#[path = "elements/circles.rs"]
+mod circles;
 #[path = "elements/classification.rs"]
 mod classification;
 #[path = "elements/construction.rs"]

@@ -1,13 +1,6 @@
-//! How coefficients are kept in the middle of the range of their number type, and what counts
-//! as their rounding.
+//! How coefficients are kept in the middle of the range of their number type.
 
 use ga_core::{Element, Field, Real, Scalar};
-
-/// The spacing of numbers near 1: 2⁻⁵² in `f64`, 2⁻²³ in `f32`.
-pub(crate) fn epsilon<T: Real>() -> T {
-    // 4/3 is not a binary fraction; three times its rounding error is one spacing.
-    (T::from_integer(3) * (T::from_ratio(4, 3) - T::ONE) - T::ONE).abs()
-}
 
 /// The larger of two numbers, lane by lane.
 pub(crate) fn larger<T: Real>(a: T, b: T) -> T {

@@ -2,8 +2,6 @@
 
 use ga_core::Real;
 
-use super::range::epsilon;
-
 /// What counts as zero.
 ///
 /// ```
@@ -28,7 +26,7 @@ impl<T: Real> Default for Tolerance<T> {
     /// 256 spacings of the number type, and a length of 1.
     fn default() -> Self {
         Tolerance {
-            relative: epsilon::<T>() * T::from_integer(256),
+            relative: T::EPSILON * T::from_integer(256),
             length: T::ONE,
         }
     }

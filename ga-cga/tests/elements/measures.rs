@@ -125,52 +125,6 @@ fn distances_of_the_textbooks() {
     }
 }
 
-/// Circles with planes and spheres, for which there are closed forms that the search is not told.
-#[test]
-fn distances_of_circles() {
-    let mut random = Random::new(74);
-    for _ in 0..300 {
-        let [c, d] = [(); 2].map(|()| random.position(4.0));
-        let (n, m) = (random.direction(), random.direction());
-        let (r, s) = (
-            0.1 + random.signed().abs(),
-            0.1 + 3.0 * random.signed().abs(),
-        );
-        let circle = Circle::with_normal(point(c), r, vector(n)).expect("a normal");
-        // The heights of the circle above the plane are centred on that of its centre.
-        let expected = (m.dot(&(c - d)).abs() - r * n.cross(&m).norm()).max(0.0);
-        let plane = Plane::with_normal(point(d), vector(m));
-        let found = distance(circle, plane).expect("real");
-        assert!(
-            (found - expected).abs() < 1e-13,
-            "plane: {found} {expected}"
-        );
-        // The distances of the circle from a point are between those of two opposite points.
-        let (up, out) = (n.dot(&(d - c)), n.cross(&(d - c)).norm());
-        let (least, most) = ((out - r).hypot(up), (out + r).hypot(up));
-        let found = distance(circle, point(d)).expect("real");
-        assert!((found - least).abs() < 1e-13, "point: {found} {least}");
-        let sphere = Sphere::about(point(d), s * s);
-        let expected = (least - s).max(s - most).max(0.0);
-        let found = distance(sphere, circle).expect("real");
-        assert!(
-            (found - expected).abs() < 1e-13,
-            "sphere: {found} {expected}"
-        );
-        // Its axis is everywhere at the distance of the radius.
-        let axis = Line::along(point(c + n), vector(n));
-        let found = distance(axis, circle).expect("real");
-        assert!((found - r).abs() < 1e-13, "axis: {found} {r}");
-        // A circle about the same axis.
-        let other = Circle::with_normal(point(c + n * 0.7), s, vector(n)).expect("a normal");
-        let found = distance(circle, other).expect("real");
-        assert!(
-            (found - (r - s).hypot(0.7)).abs() < 1e-13,
-            "circle: {found}"
-        );
-    }
-}
-
 /// Angles of directions, normals and radii; none where nothing crosses.
 #[test]
 fn angles_of_the_textbooks() {
