@@ -2,9 +2,10 @@
 
 use ga_cga::incidence::{angle, contains, distance, join, meet, nearest, plunge, project, reject};
 use ga_cga::{
-    Circle, Classification, DirectionBivector, DirectionTrivector, DirectionVector, DualLine,
-    DualPlane, DualSphere, FlatPoint, Line, Multivector, Plane, Point, PointPair, Shape, Sphere,
-    SplitPair, TangentBivector, TangentTrivector, TangentVector, Vector3, classify,
+    Bivector3, Circle, Classification, Dilator, DirectionBivector, DirectionTrivector,
+    DirectionVector, DualLine, DualPlane, DualSphere, Even, FlatPoint, Line, Motor, Multivector,
+    Plane, Point, PointPair, Rotor, Shape, Sphere, SplitPair, TangentBivector, TangentTrivector,
+    TangentVector, Translator, Transversor, Vector3, classify,
 };
 use ga_core::{Element, Real, Scalar};
 
@@ -58,6 +59,19 @@ fn split_numbers<T: Number>(split: SplitPair<T>) -> Vec<f64> {
     }
 }
 
+fn rows<T: Number, const N: usize>(matrix: Option<[[T; N]; N]>) -> Vec<f64> {
+    let numbers = matrix.into_iter().flatten().flatten();
+    numbers.map(Into::into).collect()
+}
+
+fn similar<T: Number>(parts: Option<(Dilator<T>, Rotor<T>, Translator<T>)>) -> Vec<f64> {
+    let numbers = parts.map(|(scaling, rotation, shift)| {
+        let scaling = [coefficients(scaling), maybe_number(scaling.factor())].concat();
+        [scaling, coefficients(rotation), coefficients(shift)].concat()
+    });
+    numbers.unwrap_or_default()
+}
+
 fn place<T: Real>() -> Point<T> {
     Point::at(T::ONE, T::from_integer(-2), T::from_integer(3))
 }
@@ -99,6 +113,17 @@ answers! {
     TangentBivector(x): coefficients(x.bivector()), Circle::from(x).answers();
     TangentTrivector(x): coefficients(x.trivector()), Sphere::from(x).answers();
     Vector3(x): coefficients(x.orthogonal_plane()), coefficients(x.orthogonal_plane().normal());
+    Bivector3(x): coefficients(x.normal()), coefficients(x.normal().orthogonal_plane());
+    Point(x): coefficients(x.position()), number(x.distance(place()));
+    Rotor(x): number(x.angle()), maybe(x.plane()), maybe(x.axis()), rows(x.to_matrix()),
+        x.to_quaternion().map(Into::into).to_vec();
+    Translator(x): coefficients(x.vector());
+    Motor(x): maybe(x.rotation()), maybe(x.translation()), rows(x.to_matrix()),
+        maybe(x.renormalized()), x.to_dual_quaternion().as_flattened().iter().map(|c| (*c).into()).collect();
+    Dilator(x): maybe_number(x.factor());
+    Transversor(x): coefficients(x.vector());
+    Even(x): similar(x.similarity_parts(T::from_ratio(1, 1000))),
+        rows(x.to_matrix(T::from_ratio(1, 1000)));
 }
 
 /// Asks an element of arbitrary finite coefficients everything.
@@ -167,6 +192,7 @@ fn no_query_answers_nan() {
     ask_all! {
         DualSphere DualPlane PointPair Circle Sphere FlatPoint Line DualLine Plane DirectionVector
         DirectionBivector DirectionTrivector TangentVector TangentBivector TangentTrivector Vector3
+        Bivector3 Point Rotor Translator Motor Dilator Transversor Even
     }
 }
 
