@@ -97,6 +97,40 @@ fn the_image_of_a_product_is_the_product_of_the_images() {
     }
 }
 
+/// Figure 1.1 over 10⁵ elements of each kind: motors and general versors in turn.
+macro_rules! at_length {
+    ($($test:ident: $($A:ident $B:ident),*;)*) => {$(
+        #[test]
+        fn $test() {
+            let mut random = Random::new(45);
+            let mut done = 0;
+            while done < 100_000 {
+                if done % 2 == 0 {
+                    let motor = random.motor();
+                    $(law::<_, $A, $B, _>(&mut random, motor);)*
+                } else {
+                    let versor = random.even();
+                    if magnification(versor) >= 1e6 {
+                        continue;
+                    }
+                    $(law::<_, $A, $B, _>(&mut random, versor);)*
+                }
+                done += 1;
+            }
+        }
+    )*};
+}
+
+at_length! {
+    covariance_of_rounds_and_tangents:
+        Vector3 PointPair, Point Circle, DualSphere Sphere, DualLine TangentVector,
+        Vector3 TangentBivector, DualPlane TangentTrivector;
+    covariance_of_flats_and_directions:
+        DualPlane Line, Bivector3 FlatPoint, Point Plane, Vector3 MinkowskiPlane,
+        DualPlane DirectionVector, DualSphere DirectionBivector, DualSphere DirectionTrivector,
+        Point Trivector3;
+}
+
 fn law_of_points<V>(random: &mut Random, versor: V)
 where
     V: Copy + Apply<Point> + Apply<PointPair, Output = PointPair> + Apply<Circle, Output = Circle>,
