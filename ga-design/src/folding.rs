@@ -69,6 +69,13 @@ pub enum FoldError {
         /// The largest that is worth folding.
         most: usize,
     },
+    /// Three spheres have a circle in common: the pattern is folded flat there, and the corner can
+    /// turn freely.
+    #[error("the spheres about {corner} share a whole circle: its place is open")]
+    Open {
+        /// Which corner has no place of its own.
+        corner: &'static str,
+    },
     /// Three spheres do not meet: the pattern cannot be folded so far.
     #[error("the spheres about {corner} do not meet: the pattern does not fold so far")]
     Apart {

@@ -161,6 +161,11 @@ fn what_does_not_fold_is_named() {
         Err(FoldError::Angle { .. })
     ));
     assert!(right.fold(f64::NAN, FoldMode::Opposed).is_err());
+    // Folded in half, the third corner is where the first is, and the other half may turn.
+    for mode in [FoldMode::Alike, FoldMode::Opposed] {
+        let open = right.fold(PI, mode);
+        assert!(matches!(open, Err(FoldError::Open { .. })), "{open:?}");
+    }
     for (a, b, angle, panels) in [
         (0.0, 1.0, 1.0, [2, 2]),
         (1.0, f64::INFINITY, 1.0, [2, 2]),
@@ -174,6 +179,32 @@ fn what_does_not_fold_is_named() {
     let pattern = Miura::new(1.0, 1.0, 1.0, [2, 2]).expect("a pattern");
     assert!(pattern.fold(FRAC_PI_2).is_err());
     assert!(pattern.fold(-0.1).is_err());
+}
+
+/// Where three spheres meet does not depend on where they are: the places are as good as the
+/// coordinates, near and far.
+#[test]
+fn spheres_meet_as_well_far_away() {
+    for far in [0.0, 1e2, 1e4, 1e6] {
+        let [a, b, c, top] = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.25, 0.5, 0.125],
+        ]
+        .map(|[x, y, z]| Point::at(x + far, y - far, z + far));
+        let Meeting::Two([above, below]) = Meeting::of_moved([a, b, c], top, [a, b, c]) else {
+            panic!("they meet twice")
+        };
+        let bound = 1e-14 * (1.0 + far * far);
+        assert!(
+            above.distance(top) < bound,
+            "{far}: {}",
+            above.distance(top)
+        );
+        let mirrored = Point::at(0.25 + far, 0.5 - far, far - 0.125);
+        assert!(below.distance(mirrored) < bound, "{far}");
+    }
 }
 
 #[test]

@@ -1,10 +1,14 @@
 //! Where three spheres meet: the places at given distances from three points (figure 2.17).
 
-use ga_cga::{Circle, DualSphere, Point, PointPair, Translator};
+use ga_cga::{Bivector3, Circle, DualSphere, Point, PointPair, Translator, Vector3};
 
 /// Up to which part of a squared radius the squared half distance of two places is taken for
 /// rounding error, and the places for one.
 const TANGENT: f64 = 1e-13;
+
+/// Up to which sine of the angle between centres it is taken for rounding error, and the centres
+/// for aligned.
+const ALIGNED: f64 = 1e-14;
 
 /// The places that three spheres have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,6 +57,11 @@ impl Meeting {
         let center = spheres[0].center().map(Point::position);
         let there = Translator::by(center.unwrap_or_default());
         let [first, second, third] = spheres.map(|sphere| there.reverse().apply(sphere));
+        if let Some((second, third)) = second.center().zip(third.center())
+            && aligned(second.position(), third.position())
+        {
+            return Meeting::Aligned;
+        }
         let dual: Circle = first ^ second ^ third;
         let radius = first.radius_squared().unwrap_or_default().abs();
         match Self::within(dual.undual(), TANGENT * radius) {
@@ -97,4 +106,10 @@ impl Meeting {
             Meeting::Apart | Meeting::Aligned => None,
         }
     }
+}
+
+/// Whether two places are in line with the origin, up to the rounding of their coordinates.
+fn aligned(a: Vector3, b: Vector3) -> bool {
+    let area: Bivector3 = a ^ b;
+    area.norm() <= ALIGNED * a.norm() * b.norm()
 }
