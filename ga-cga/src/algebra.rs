@@ -18,32 +18,39 @@ ga_macros::define_algebra! {
             Bivector3 { e12, e13, e23 }
             /// A Euclidean trivector, a multiple of the volume **I**₃: e₁₂₃ of Table 2.5.
             Trivector3 { e123 }
-            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o is the origin.
+            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o of Table 2.5 is
+            /// the one at the origin.
             Point { no = 1, e1, e2, e3, ni }
             /// A dual sphere σ = p − ½r² n_∞ (2.52) of any weight; with it every vector of the
-            /// algebra: points with a weight, dual planes, imaginary spheres; n_∞ is infinity.
+            /// algebra: points with a weight, dual planes, imaginary spheres; n_∞ is the point at
+            /// infinity. All grade 1 of Table 2.5.
             DualSphere { no, e1, e2, e3, ni }
-            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it: no n_o.
+            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it: e₁, e₂,
+            /// e₃ and n_∞ of Table 2.5, no n_o.
             DualPlane { e1, e2, e3, ni }
             /// A point pair κ = a∧b (2.47), also the dual of a circle: all grade 2 of Table 2.5.
             PointPair = grade 2;
-            /// A flat point p∧n_∞, where three planes meet: E and e₁n_∞, e₂n_∞, e₃n_∞.
+            /// A flat point p∧n_∞, where three planes meet: E (at the origin) and e₁n_∞, e₂n_∞, e₃n_∞
+            /// of Table 2.5.
             FlatPoint { e1^ni, e2^ni, e3^ni, no^ni }
-            /// A direction vector **t** n_∞, which generates translations: e₁n_∞, e₂n_∞, e₃n_∞.
+            /// A direction vector **t** n_∞, which generates translations: e₁n_∞, e₂n_∞, e₃n_∞ of
+            /// Table 2.5.
             DirectionVector { e1^ni, e2^ni, e3^ni }
-            /// A tangent vector n_o **t**, which generates transversions: e₁n_o, e₂n_o, e₃n_o.
+            /// A tangent vector n_o **t**, which generates transversions: e₁n_o, e₂n_o, e₃n_o of
+            /// Table 2.5.
             TangentVector { e1^no, e2^no, e3^no }
-            /// A dual line λ = **B** + **d** n_∞, which generates motors: e₁₂ … and e₁n_∞ ….
+            /// A dual line λ = **B** + **d** n_∞, which generates motors: e₁₂, e₁₃, e₂₃ and e₁n_∞,
+            /// e₂n_∞, e₃n_∞ of Table 2.5.
             DualLine { e12, e13, e23, e1^ni, e2^ni, e3^ni }
-            /// A multiple of E = n_o∧n_∞, the Minkowski plane, which generates dilations.
+            /// A multiple of E = n_o∧n_∞, the Minkowski plane of Table 2.5, which generates dilations.
             MinkowskiPlane { no^ni }
-            /// A circle K = a∧b∧c (2.48), also the dual of a point pair: all grade 3.
+            /// A circle K = a∧b∧c (2.48), also the dual of a point pair: all grade 3 of Table 2.5.
             Circle = grade 3;
-            /// A line Λ = a∧b∧n_∞ (2.50): e₁E, e₂E, e₃E and e₁₂n_∞, e₁₃n_∞, e₂₃n_∞.
+            /// A line Λ = a∧b∧n_∞ (2.50): e₁E, e₂E, e₃E and e₁₂n_∞, e₁₃n_∞, e₂₃n_∞ of Table 2.5.
             Line { e12^ni, e13^ni, e23^ni, e1^no^ni, e2^no^ni, e3^no^ni }
             /// A direction bivector **B** n_∞: e₁₂n_∞, e₁₃n_∞, e₂₃n_∞ of Table 2.5.
             DirectionBivector { e12^ni, e13^ni, e23^ni }
-            /// A tangent bivector n_o **B** at the origin: e₁₂n_o, e₁₃n_o, e₂₃n_o.
+            /// A tangent bivector n_o **B** at the origin: e₁₂n_o, e₁₃n_o, e₂₃n_o of Table 2.5.
             TangentBivector { e12^no, e13^no, e23^no }
             /// A sphere Σ = a∧b∧c∧d (2.49): all grade 4 of Table 2.5.
             Sphere = grade 4;
@@ -53,7 +60,7 @@ ga_macros::define_algebra! {
             DirectionTrivector { e123^ni }
             /// A tangent trivector n_o **I**₃ at the origin: e₁₂₃n_o of Table 2.5.
             TangentTrivector { e123^no }
-            /// A multiple of the pseudoscalar I = e₁₂₃ E: all of space.
+            /// A multiple of the pseudoscalar I = e₁₂₃ E, grade 5 of Table 2.5: all of space.
             Pseudoscalar { e123^no^ni }
             /// A rotor e^{−θB/2}: a rotation by θ in the sense of B about the origin.
             Rotor { 1, e12, e13, e23 }

@@ -36,6 +36,10 @@
 //! put into the coefficients: with d that distance and s the size of the pair (the larger of their
 //! radii and their distance, and 1 at least where neither is round), by 1 + d/s for flats and
 //! 1 + (d/s)² where a round takes part.
+//!
+//! An element is first taken for what [`classify()`](crate::classify()) says, for which a length of
+//! 1 is ordinary: a sphere with a radius below 2.4e−7 at the origin is a point. Scenes in
+//! much smaller units are scaled up first.
 
 mod angle;
 mod circle;

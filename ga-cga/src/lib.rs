@@ -67,11 +67,16 @@
 //! **Everything is measured by products**: distances and angles, projections and nearest points,
 //! of any element and any other ([`incidence`]).
 //!
+//! Which blade of the 32 is what kind of element (Table 2.5) is said with each type of [`cga3`]
+//! and in one table in [`classify`](mod@classify#how-it-is-decided); how points and motions go to
+//! matrices, quaternions and other libraries and come back, in [`interop`].
+//!
 //! # Accuracy
 //! Coefficients are stored in the null basis, where the coordinates of a point keep full
 //! precision at any distance from the origin. What holds for the other elements is stated in
 //! [`round`](round#accuracy-far-from-the-origin), for decisions in
-//! [`classify`](mod@classify#tolerance).
+//! [`classify`](mod@classify#tolerance) and [`incidence`]. Everything is generic over the number:
+//! in single precision the same holds with its ε of 1.2e−7.
 
 #![no_std]
 

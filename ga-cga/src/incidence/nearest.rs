@@ -28,8 +28,9 @@ pub fn nearest<F: Figure>(figure: F, point: Point<F::Number>) -> Option<Point<F:
 ///
 /// All cases are closed forms but those of a circle with a line or another circle. There the
 /// whole circle (the smaller of two) is searched, and arcs are left out only where their length
-/// bounds the distance from below: no minimum is missed, and the distance is the least one to
-/// within 10⁻¹⁴ of the size of the two in `f64`.
+/// bounds the distance from below; the least distance is found to within some roundings of the
+/// size of the two, as they are stored (see [`round`](crate::round#accuracy-far-from-the-origin)
+/// for what a small circle far from the origin keeps of its radius).
 ///
 /// ```
 /// use ga_cga::{Line, Point, Vector3, incidence::nearest_points};

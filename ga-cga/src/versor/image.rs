@@ -9,7 +9,8 @@ impl<T: Real> Point<T> {
     /// The image of the point under any versor, with weight 1 again (2.28).
     ///
     /// `None` where the image is the point at infinity, as that of a sphere's centre under
-    /// inversion in the sphere, and where the versor has no inverse. An image is taken for that
+    /// inversion in the sphere, and where the versor has no inverse, or is so light or heavy that
+    /// the square of its size is out of range. An image is taken for that
     /// point too where rounding has drowned its weight, about 10⁸ away in double precision.
     ///
     /// ```
