@@ -31,7 +31,7 @@ impl<T: Real> Turn<T> {
     }
 
     /// The same circle with its angles counted from the part of a direction in its plane.
-    fn from_direction(self, direction: Vector3<T>) -> Self {
+    fn counted_from(self, direction: Vector3<T>) -> Self {
         let plane = self.axes[0] ^ self.axes[1];
         let within: Vector3<T> = direction.project(plane);
         let first = within.unit().unwrap_or(self.axes[0]);
@@ -53,7 +53,7 @@ impl<T: Real> Turn<T> {
     /// The point nearest to a plane. Heights above it are h + k cos φ, with φ counted from the
     /// steepest direction: the lowest and the highest point are opposite to each other.
     pub(super) fn nearest_to_plane(self, place: Vector3<T>, normal: Vector3<T>) -> Vector3<T> {
-        let turn = self.from_direction(normal);
+        let turn = self.counted_from(normal);
         let ends = turn.ends();
         let [low, high] = ends.map(|x| normal.scalar_product(x - place));
         if T::ZERO.all_le(low) {
@@ -68,7 +68,7 @@ impl<T: Real> Turn<T> {
     /// The point nearest to a sphere. Squared distances from its centre are m + k cos φ, with φ
     /// counted from the direction away from it.
     pub(super) fn nearest_to_sphere(self, center: Vector3<T>, radius: T) -> Vector3<T> {
-        let turn = self.from_direction(self.center - center);
+        let turn = self.counted_from(self.center - center);
         let ends = turn.ends();
         let [near, far] = ends.map(|x| range::length(x - center));
         if radius.all_le(near) {
