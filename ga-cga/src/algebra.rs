@@ -18,29 +18,22 @@ ga_macros::define_algebra! {
             Bivector3 { e12, e13, e23 }
             /// A Euclidean trivector, a multiple of the volume **I**₃: e₁₂₃ of Table 2.5.
             Trivector3 { e123 }
-            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o of Table 2.5 is
-            /// the one at the origin.
+            /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o of Table 2.5 is the origin.
             Point { no = 1, e1, e2, e3, ni }
             /// A dual sphere σ = p − ½r² n_∞ (2.52) of any weight; with it every vector of the
-            /// algebra: points with a weight, dual planes, imaginary spheres; n_∞ is the point at
-            /// infinity. All grade 1 of Table 2.5.
+            /// algebra, all grade 1 of Table 2.5: weighted points, dual planes, imaginary spheres, n_∞.
             DualSphere { no, e1, e2, e3, ni }
-            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ along it: e₁, e₂,
-            /// e₃ and n_∞ of Table 2.5, no n_o.
+            /// A dual plane π = **n** + δ n_∞ with normal **n** at distance δ: e₁, e₂, e₃, n_∞ of Table 2.5.
             DualPlane { e1, e2, e3, ni }
             /// A point pair κ = a∧b (2.47), also the dual of a circle: all grade 2 of Table 2.5.
             PointPair = grade 2;
-            /// A flat point p∧n_∞, where three planes meet: E (at the origin) and e₁n_∞, e₂n_∞, e₃n_∞
-            /// of Table 2.5.
+            /// A flat point p∧n_∞, where three planes meet: E and e₁n_∞, e₂n_∞, e₃n_∞ of Table 2.5.
             FlatPoint { e1^ni, e2^ni, e3^ni, no^ni }
-            /// A direction vector **t** n_∞, which generates translations: e₁n_∞, e₂n_∞, e₃n_∞ of
-            /// Table 2.5.
+            /// A direction vector **t** n_∞, which generates translations: e₁n_∞, e₂n_∞, e₃n_∞ of Table 2.5.
             DirectionVector { e1^ni, e2^ni, e3^ni }
-            /// A tangent vector n_o **t**, which generates transversions: e₁n_o, e₂n_o, e₃n_o of
-            /// Table 2.5.
+            /// A tangent vector n_o **t**, which generates transversions: e₁n_o, e₂n_o, e₃n_o of Table 2.5.
             TangentVector { e1^no, e2^no, e3^no }
-            /// A dual line λ = **B** + **d** n_∞, which generates motors: e₁₂, e₁₃, e₂₃ and e₁n_∞,
-            /// e₂n_∞, e₃n_∞ of Table 2.5.
+            /// A dual line λ = **B** + **d** n_∞, which generates motors: e₁₂ … and e₁n_∞ … of Table 2.5.
             DualLine { e12, e13, e23, e1^ni, e2^ni, e3^ni }
             /// A multiple of E = n_o∧n_∞, the Minkowski plane of Table 2.5, which generates dilations.
             MinkowskiPlane { no^ni }
