@@ -45,8 +45,11 @@ pub mod closure;
 pub mod crystal;
 pub mod elements;
 pub mod hall;
+pub mod lattice;
 pub mod operation;
 pub mod placement;
+pub mod point_group;
+pub mod roots;
 pub mod scene;
 pub mod symbols;
 pub mod unit_cell;
@@ -58,8 +61,13 @@ pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
 pub use hall::HallError;
+pub use lattice::CrystalSystem;
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
+pub use point_group::{
+    Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word,
+};
+pub use roots::{Roots, RootsError};
 pub use symbols::{SpaceGroup, UnknownSymbol};
 pub use unit_cell::{Atom, Expansion, ExpansionError};
-pub use versor::Isometry;
+pub use versor::{Isometry, Motion, Movable, NotOfLattice};
