@@ -61,7 +61,9 @@ pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
 pub use hall::HallError;
-pub use lattice::CrystalSystem;
+pub use lattice::{
+    BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem,
+};
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
 pub use point_group::{
