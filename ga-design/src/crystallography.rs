@@ -44,6 +44,7 @@ pub mod cif;
 pub mod closure;
 pub mod crystal;
 pub mod elements;
+pub mod generators;
 pub mod hall;
 pub mod lattice;
 pub mod operation;
@@ -60,6 +61,10 @@ pub use cell_range::{CellRange, CellRangeError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
+pub use generators::{
+    DirectionError, ExpressionError, Generation, GenerationError, GeneratorExpression,
+    GeometricSymbol, GeometricSymbolError, RootDirection, SpaceGroupGenerators,
+};
 pub use hall::HallError;
 pub use lattice::{
     BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem,
