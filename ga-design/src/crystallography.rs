@@ -40,6 +40,7 @@
 
 pub mod cell;
 pub mod cell_range;
+pub mod change_of_basis;
 pub mod cif;
 pub mod closure;
 pub mod crystal;
@@ -54,6 +55,7 @@ pub mod versor;
 
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
+pub use change_of_basis::{ChangeOfBasis, ChangeOfBasisError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;

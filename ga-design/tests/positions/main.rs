@@ -1,0 +1,3 @@
+//! Settings, positions, subperiodic groups and recognition, each against an independent program.
+
+mod settings;
