@@ -107,10 +107,6 @@ impl ChangeOfBasis {
         self.shift.map(narrow)
     }
 
-    pub(super) fn exact(&self) -> (Matrix, Column) {
-        (self.linear, self.shift)
-    }
-
     /// The volume of the new cell in old cells; negative when the handedness changes.
     pub fn determinant(&self) -> Ratio<i64> {
         narrow(determinant(&self.linear))

@@ -14,6 +14,9 @@ use super::hall::{self, HallError};
 use super::operation::Operation;
 
 mod spelling;
+mod system;
+
+pub use system::CrystalSystem;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");
 

@@ -1,3 +1,4 @@
 //! Settings, positions, subperiodic groups and recognition, each against an independent program.
 
 mod settings;
+mod wyckoff;

@@ -73,7 +73,7 @@ fn a_cell_that_is_no_cell_of_the_group_is_refused() {
 
 #[test]
 fn what_cannot_be_undone_or_is_beyond_bounds_is_refused() {
-    for text in ["x,y,x+y", "0x,y,z", "1/11x,y,z", "100000x,y,z"] {
+    for text in ["x,y,x+y", "0x,y,z", "100000x,y,z"] {
         let read: Result<ChangeOfBasis, _> = text.parse();
         assert_eq!(read, Err(ChangeOfBasisError::Singular), "{text}");
     }
