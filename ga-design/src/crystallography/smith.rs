@@ -51,6 +51,20 @@ impl SmithForm {
             .collect()
     }
 
+    /// A basis of the lattice that the rows generate: as many vectors as the rank.
+    pub fn row_lattice(&self) -> Vec<[i128; 3]> {
+        // left · matrix = diagonal · right⁻¹, and left changes the generators only.
+        let v = &self.right;
+        let cofactor = |i: usize, j: usize| {
+            let (r1, r2, c1, c2) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+            v[r1][c1] * v[r2][c2] - v[r1][c2] * v[r2][c1]
+        };
+        let sign = v[0][0] * cofactor(0, 0) + v[0][1] * cofactor(0, 1) + v[0][2] * cofactor(0, 2);
+        let row =
+            |(place, pivot): (usize, &i128)| [0, 1, 2].map(|j| sign * cofactor(j, place) * pivot);
+        self.diagonal.iter().enumerate().map(row).collect()
+    }
+
     /// One exact solution of `matrix · x ≡ target` modulo 1 in every row; `None` without any.
     pub fn solve_modulo_one(&self, target: &[Exact]) -> Option<[Exact; 3]> {
         let mut solution = [Exact::from_integer(0); 3];

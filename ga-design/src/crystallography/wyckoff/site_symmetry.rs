@@ -4,10 +4,9 @@
 //! place stand the symmetry elements along these directions, one for each that the site group
 //! itself does not carry into another, and a dot where there are none: `.3m`, `m.2m`, `2/m..`.
 
+use super::super::direction::{Direction, axis, image, order, signless};
 use super::super::operation::Operation;
 use super::super::symbols::CrystalSystem;
-
-type Direction = [i32; 3];
 
 /// The classes of symmetry directions on conventional axes, hexagonal ones for trigonal groups
 /// (*International Tables* A, table 2.1.3.1).
@@ -120,13 +119,7 @@ struct Along {
 impl Along {
     fn add(&mut self, operation: &Operation) {
         let sign = operation.determinant();
-        let order = match sign * operation.trace() {
-            -1 => 2,
-            0 => 3,
-            1 => 4,
-            2 => 6,
-            _ => 1,
-        };
+        let order = order(operation);
         match (sign, order) {
             (1, _) => self.order = self.order.max(order),
             (_, 2) => self.mirror = true,
@@ -145,58 +138,4 @@ impl Along {
             (_, false, barred) => format!("-{barred}"),
         }
     }
-}
-
-/// The direction of the axis or the normal of the mirror, whole and without a common factor;
-/// `None` for the identity and the inversion.
-fn axis(operation: &Operation) -> Option<Direction> {
-    let sign = operation.determinant();
-    let w = operation
-        .rotation()
-        .map(|row| row.map(|entry| sign * entry));
-    let mut rows = w;
-    for (i, row) in rows.iter_mut().enumerate() {
-        row[i] -= 1;
-    }
-    // The axis is across all rows of W − 1; two independent ones give it.
-    let cross = |u: Direction, v: Direction| {
-        [0, 1, 2].map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            u[j] * v[k] - u[k] * v[j]
-        })
-    };
-    let pairs = [(0, 1), (1, 2), (2, 0)];
-    pairs
-        .into_iter()
-        .map(|(i, j)| cross(rows[i], rows[j]))
-        .find(|direction| *direction != [0; 3])
-        .map(primitive)
-        .map(signless)
-}
-
-fn primitive(direction: Direction) -> Direction {
-    let common = direction
-        .iter()
-        .fold(0, |a: i32, b| greatest_divisor(a, b.abs()));
-    direction.map(|value| value / common.max(1))
-}
-
-fn greatest_divisor(a: i32, b: i32) -> i32 {
-    if b == 0 {
-        a
-    } else {
-        greatest_divisor(b, a % b)
-    }
-}
-
-/// The one of a direction and its opposite whose first entry that is not zero is positive.
-fn signless(direction: Direction) -> Direction {
-    match direction.iter().find(|value| **value != 0) {
-        Some(value) if *value < 0 => direction.map(|value| -value),
-        _ => direction,
-    }
-}
-
-fn image(w: &[[i32; 3]; 3], v: Direction) -> Direction {
-    w.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
