@@ -40,9 +40,11 @@
 
 pub mod cell;
 pub mod cell_range;
+pub mod change_of_basis;
 pub mod cif;
 pub mod closure;
 pub mod crystal;
+mod direction;
 pub mod elements;
 pub mod generators;
 pub mod hall;
@@ -50,14 +52,18 @@ pub mod lattice;
 pub mod operation;
 pub mod placement;
 pub mod point_group;
+pub mod recognition;
 pub mod roots;
 pub mod scene;
+mod smith;
 pub mod symbols;
 pub mod unit_cell;
 pub mod versor;
+pub mod wyckoff;
 
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
+pub use change_of_basis::{ChangeOfBasis, ChangeOfBasisError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
@@ -74,7 +80,9 @@ pub use placement::{Placement, PlacementError};
 pub use point_group::{
     Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word,
 };
+pub use recognition::Recognition;
 pub use roots::{Roots, RootsError};
 pub use symbols::{SpaceGroup, UnknownSymbol};
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};
+pub use wyckoff::{LocatedSite, SiteCoordinates, WyckoffPosition, WyckoffPositions};

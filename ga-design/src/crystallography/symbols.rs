@@ -9,10 +9,14 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use super::change_of_basis::ChangeOfBasis;
 use super::hall::{self, HallError};
 use super::operation::Operation;
 
 mod spelling;
+mod system;
+
+pub use super::lattice::CrystalSystem;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");
 
@@ -33,6 +37,7 @@ pub struct SpaceGroup {
     pub standard: bool,
     /// Other spellings: full symbols, and the symbols with the glide `e`.
     also: Vec<&'static str>,
+    from_standard: &'static str,
 }
 
 /// A symbol that names no known setting.
@@ -126,6 +131,27 @@ impl SpaceGroup {
         hall::operations(self.hall)
     }
 
+    /// The change of basis `(P, p)` from the standard setting of the number to this one: a point has
+    /// the standard coordinates `x = P x′ + p` where `x′` are its coordinates here.
+    ///
+    /// Of the many that carry the operations over, the one is meant under which the Wyckoff letters
+    /// keep their positions.
+    ///
+    /// ```
+    /// use ga_design::crystallography::SpaceGroup;
+    ///
+    /// let setting = &SpaceGroup::from_symbol("P 1 1 21/b")?[0];
+    /// let standard = SpaceGroup::standard(14).and_then(|group| group.operations().ok());
+    /// let carried = standard.and_then(|all| setting.from_standard()?.operations(&all));
+    /// assert_eq!(carried.map(|all| all.len()), Some(4));
+    /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
+    /// ```
+    // The literature's name for the change, which the noun `standard` also begins.
+    #[allow(clippy::wrong_self_convention)]
+    pub fn from_standard(&self) -> Option<ChangeOfBasis> {
+        self.from_standard.parse().ok()
+    }
+
     /// The symbol with its choice of origin or axes where there is one: `F d -3 m:2`.
     pub fn qualified_symbol(&self) -> String {
         match self.choice {
@@ -210,6 +236,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         .split("; ")
         .filter(|name| !name.is_empty())
         .collect();
+    let from_standard = fields.next()?;
     Some(SpaceGroup {
         number,
         symbol,
@@ -218,6 +245,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         point_group,
         standard,
         also,
+        from_standard,
     })
 }
 

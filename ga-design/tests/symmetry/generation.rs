@@ -175,7 +175,12 @@ fn the_eleven_enantiomorphic_pairs_have_the_right_hand() {
         let expected = BTreeSet::from([rise]);
         assert_eq!(climbs(one, f64::from(order)), expected, "{}", one.symbol);
         let expected = BTreeSet::from([order - rise]);
-        assert_eq!(climbs(other, f64::from(order)), expected, "{}", other.symbol);
+        assert_eq!(
+            climbs(other, f64::from(order)),
+            expected,
+            "{}",
+            other.symbol
+        );
         // The mirror image of the one is the other, so both are chiral.
         for group in [one, other] {
             let class = PointGroup::from_international(group.point_group).expect("a class");

@@ -45,7 +45,7 @@ fn the_fourteen_lattices_are_those_of_systems_and_centrings() {
             let group = SpaceGroup::standard(*number).expect("a number");
             let letter = group.symbol.chars().next().expect("a lattice letter");
             let centring = Centring::from_letter(letter).expect("a centring");
-            BravaisLattice::of(group.system(), centring) == Some(lattice)
+            BravaisLattice::of(group.crystal_system(), centring) == Some(lattice)
         });
         assert_eq!(groups.count(), count, "{lattice:?}");
     }

@@ -1,0 +1,5 @@
+//! Settings, positions, subperiodic groups and recognition, each against an independent program.
+
+mod recognition;
+mod settings;
+mod wyckoff;
