@@ -6,6 +6,9 @@
 //!                      ▲              ▲
 //!        hall, symbols ┘              └ Placement: ≤ 3 reflections, then a translation
 //!                                       └ Isometry: the same as versors
+//!
+//! p, q ──► Roots ──► PointGroup             a geometric symbol such as `b(4)2`
+//!            └─ lattice, generators ──► SpaceGroup::generate ──► Isometry, Operation
 //! ```
 //!
 //! Symmetry is exact (integers and rationals modulo the lattice); only lengths and coordinates

@@ -16,6 +16,9 @@ fn every_group_has_a_symbol_of_its_own_and_is_found_by_it() {
         for spelling in [text.clone(), text.replace(' ', ""), format!(" {text} ")] {
             let found = SpaceGroupGenerators::from_symbol(&spelling).expect("its own symbol");
             assert_eq!(found.number, group.number, "{spelling}");
+            let setting = SpaceGroup::from_geometric(&spelling).expect("its own symbol");
+            assert!(setting.standard && setting.number == group.number);
+            assert_eq!(setting.geometric(), Some(group.symbol));
         }
     }
     assert_eq!(seen.len(), 230);

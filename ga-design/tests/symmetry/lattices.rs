@@ -329,3 +329,61 @@ fn groups_and_parameters_without_a_lattice_are_refused() {
     assert_eq!(reciprocal([Vector3::new(1.0, 0.0, 0.0); 3]), None);
     assert_eq!(reciprocal([Vector3::new(f64::NAN, 0.0, 0.0); 3]), None);
 }
+
+#[test]
+fn primitive_cells_hold_one_lattice_point() {
+    let cell = CellShape::Triclinic.example().cell().expect("a cell");
+    let edges = cell.edge_vectors().map(Vector3::from);
+    for centring in Centring::ALL {
+        let primitive = centring.primitive_edges(edges);
+        let [[a, b, c], [x, y, z]] = [edges, primitive];
+        let ratio = (a ^ b ^ c).e123 / (x ^ y ^ z).e123;
+        let points = centring.points().len() as f64;
+        assert!((ratio - points).abs() < 1e-12, "{centring}: {ratio}");
+        // Edges and centring points are whole combinations of the primitive edges.
+        let duals = reciprocal(primitive).expect("a cell");
+        let centres = centring.translations();
+        let centres = centres
+            .iter()
+            .map(|t| Vector3::from(cell.cartesian(t.translation_f64())));
+        for vector in edges.into_iter().chain(centres) {
+            for dual in duals {
+                let part = vector.scalar_product(dual);
+                assert!((part - part.round()).abs() < 1e-12, "{centring}: {part}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rhombohedral_and_hexagonal_axes_become_each_other() {
+    for alpha in [46.08, 60.0, 85.0, 90.0, 109.0] {
+        let given = CellParameters::Rhombohedral { a: 5.3, alpha };
+        let hexagonal = given.on_hexagonal_axes().expect("a cell");
+        let CellParameters::Hexagonal { a, c } = hexagonal else {
+            panic!("hexagonal axes")
+        };
+        // International Tables A, table 3.1.4.1: a = a_r √2 √(1 − cos α), c = a_r √3 √(1 + 2 cos α).
+        let cosine = alpha.to_radians().cos();
+        assert!((a - 5.3 * (2.0 * (1.0 - cosine)).sqrt()).abs() < 1e-12);
+        assert!((c - 5.3 * (3.0 * (1.0 + 2.0 * cosine)).sqrt()).abs() < 1e-12);
+        let Some(CellParameters::Rhombohedral { a, alpha: back }) =
+            hexagonal.on_rhombohedral_axes()
+        else {
+            panic!("rhombohedral axes")
+        };
+        assert!((a - 5.3).abs() < 1e-12 && (back - alpha).abs() < 1e-10);
+    }
+    let cubic = CellParameters::Cubic { a: 4.0 };
+    assert_eq!(cubic.on_hexagonal_axes(), Some(cubic));
+    assert_eq!(cubic.on_rhombohedral_axes(), Some(cubic));
+    let flat = CellParameters::Rhombohedral {
+        a: 4.0,
+        alpha: 120.0,
+    };
+    assert_eq!(flat.on_hexagonal_axes(), None);
+    assert_eq!(
+        CellParameters::Hexagonal { a: -1.0, c: 1.0 }.on_rhombohedral_axes(),
+        None
+    );
+}

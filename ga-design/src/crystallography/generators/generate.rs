@@ -9,7 +9,7 @@ use super::super::{
 };
 use super::direction::roots_along;
 use super::expression::along;
-use super::{Generation, SpaceGroupGenerators};
+use super::{Generation, GeometricSymbol, GeometricSymbolError, SpaceGroupGenerators};
 
 /// The largest deviation of a root's cosine from that of its angle π/p or π/q.
 const ROOT_TOLERANCE: f64 = 1e-9;
@@ -74,6 +74,28 @@ impl SpaceGroup {
             (_, true) => Axis::C,
             _ => Axis::B,
         }
+    }
+
+    /// The geometric symbol, that of the number whatever the setting.
+    pub fn geometric(&self) -> Option<GeometricSymbol> {
+        self.generators().map(|group| group.symbol)
+    }
+
+    /// The standard setting of the group with a geometric symbol such as `P b(4)_1 b(2)`;
+    /// [`SpaceGroupGenerators::from_symbol`] says how it may be spelled.
+    ///
+    /// ```
+    /// use ga_design::crystallography::SpaceGroup;
+    ///
+    /// let diamond = SpaceGroup::from_geometric("F_d 43")?;
+    /// assert_eq!(diamond.symbol, "F d -3 m");
+    /// # Ok::<(), ga_design::crystallography::GeometricSymbolError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`GeometricSymbolError`]: no such symbol, with the nearest known ones.
+    pub fn from_geometric(symbol: &str) -> Result<&'static Self, GeometricSymbolError> {
+        SpaceGroupGenerators::from_symbol(symbol).map(|group| group.standard)
     }
 
     /// The roots and generators of the group, as they are in the standard setting.
