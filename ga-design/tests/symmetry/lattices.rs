@@ -270,13 +270,13 @@ fn edges_from_roots_span_a_lattice_of_their_group() {
             }
             CrystalSystem::Monoclinic => {
                 let free = if symbol.to_string() == "1" { 0 } else { 2 };
-                for at in 0..3 {
+                for (at, angle) in angles.iter().enumerate() {
                     let given = if at == free {
                         parameters.angles[at]
                     } else {
                         90.0
                     };
-                    assert!((angles[at] - given).abs() < 1e-9, "{symbol}");
+                    assert!((angle - given).abs() < 1e-9, "{symbol}");
                 }
             }
             CrystalSystem::Trigonal | CrystalSystem::Hexagonal => {
