@@ -52,6 +52,7 @@ pub mod placement;
 pub mod recognition;
 pub mod scene;
 mod smith;
+pub mod subperiodic;
 pub mod symbols;
 pub mod unit_cell;
 pub mod versor;
@@ -67,6 +68,10 @@ pub use hall::HallError;
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
 pub use recognition::Recognition;
+pub use subperiodic::{
+    SubperiodicGroup, SubperiodicGroupError, SubperiodicKind, SubperiodicLattice,
+    SubperiodicOperation, SubperiodicOperationError, UnknownSubperiodicSymbol,
+};
 pub use symbols::{CrystalSystem, SpaceGroup, UnknownSymbol};
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::Isometry;

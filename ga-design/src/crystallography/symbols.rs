@@ -16,6 +16,7 @@ use super::operation::Operation;
 mod spelling;
 mod system;
 
+pub(super) use spelling::folded;
 pub use system::CrystalSystem;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");

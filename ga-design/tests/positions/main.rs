@@ -2,4 +2,5 @@
 
 mod recognition;
 mod settings;
+mod subperiodic;
 mod wyckoff;
