@@ -3,4 +3,5 @@
 mod recognition;
 mod settings;
 mod subperiodic;
+mod symbols;
 mod wyckoff;
