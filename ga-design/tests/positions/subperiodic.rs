@@ -340,7 +340,7 @@ fn symbols_parse_back_and_others_get_a_suggestion() {
         ] {
             let found = SubperiodicGroup::from_symbol(group.kind, &symbol)
                 .unwrap_or_else(|e| panic!("{e}"));
-            assert!(found.iter().any(|other| *other == group), "{symbol}");
+            assert!(found.contains(&group), "{symbol}");
             assert!(
                 found.iter().all(|other| other.number == group.number),
                 "{symbol}"
