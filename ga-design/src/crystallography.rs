@@ -59,6 +59,7 @@ pub mod recognition;
 pub mod roots;
 pub mod scene;
 mod smith;
+pub mod subperiodic;
 pub mod symbols;
 pub mod unit_cell;
 pub mod versor;
@@ -85,6 +86,10 @@ pub use point_group::{
 };
 pub use recognition::Recognition;
 pub use roots::{Roots, RootsError};
+pub use subperiodic::{
+    SubperiodicGroup, SubperiodicGroupError, SubperiodicKind, SubperiodicLattice,
+    SubperiodicOperation, SubperiodicOperationError, UnknownSubperiodicSymbol,
+};
 pub use symbols::{SpaceGroup, UnknownSymbol};
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};

@@ -42,10 +42,10 @@ impl SpaceGroup {
     /// ```
     /// use ga_design::crystallography::{Operation, SpaceGroup, close};
     ///
-    /// // A screw axis along the body diagonal of an odd cell.
+    /// // A screw axis along the body diagonal: P 31 in an odd cell, centred by a third of it.
     /// let screw: Operation = "z+1/3,x,y".parse()?;
     /// let found = SpaceGroup::recognise(&close(&[screw])?);
-    /// assert_eq!(found.map(|found| found.number), Some(146));
+    /// assert_eq!(found.map(|found| found.number), Some(144));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn recognise(operations: &[Operation]) -> Option<Recognition> {

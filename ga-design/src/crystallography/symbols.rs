@@ -13,10 +13,13 @@ use super::change_of_basis::ChangeOfBasis;
 use super::hall::{self, HallError};
 use super::operation::Operation;
 
+mod extended;
+mod lookup;
 mod spelling;
 mod system;
 
 pub use super::lattice::CrystalSystem;
+pub(super) use spelling::folded;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");
 
@@ -84,7 +87,8 @@ impl SpaceGroup {
     ///
     /// Blanks, underscores and case do not matter; `:1`, `:2`, `:H`, `:R` or a trailing `S`, `Z`,
     /// `H`, `R` choose origin or axes, and without them the standard choice comes first. Short
-    /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`) and old (`F d 3 m`) spellings are known.
+    /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`), extended (`C 2/m 2/c 21/m (21/b 21/n n)`,
+    /// any of its further elements in brackets) and old (`F d 3 m`) spellings are known.
     ///
     /// ```
     /// use ga_design::crystallography::SpaceGroup;
@@ -95,6 +99,14 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn from_symbol(symbol: &str) -> Result<Vec<&'static Self>, UnknownSymbol> {
+        if let Some((first, second)) = symbol.split_once('(') {
+            let (further, suffix) = second.rsplit_once(':').unwrap_or((second, ""));
+            let mut found = Self::from_symbol(&format!("{first}:{suffix}"))?;
+            found.retain(|group| group.has_further(further));
+            if !found.is_empty() {
+                return Ok(found);
+            }
+        }
         let found = spelling::readings(symbol)
             .into_iter()
             .find_map(|(key, choice)| {

@@ -33,6 +33,8 @@ pub struct WyckoffPosition {
     /// The oriented symbol of the site symmetry, such as `.3m`.
     pub site_symmetry: String,
     coordinates: Vec<SiteCoordinates>,
+    /// Of each triplet, a basis of the integer normals.
+    normals: Vec<Vec<[i32; 3]>>,
     site_group: Vec<Operation>,
 }
 
@@ -186,6 +188,10 @@ impl Row {
             letter: self.letter,
             multiplicity: coordinates.len(),
             site_symmetry: oriented_symbol(&site_group, group, change)?,
+            normals: coordinates
+                .iter()
+                .map(SiteCoordinates::normals)
+                .collect::<Option<_>>()?,
             coordinates,
             site_group,
         })

@@ -2,4 +2,6 @@
 
 mod recognition;
 mod settings;
+mod subperiodic;
+mod symbols;
 mod wyckoff;

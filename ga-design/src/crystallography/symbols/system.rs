@@ -84,6 +84,14 @@ impl SpaceGroup {
         self.symbol.chars().next().unwrap_or('P')
     }
 
+    /// The full Hermann–Mauguin symbol, axes and planes of every direction: `P 21/n 21/m 21/a`
+    /// for `P n m a`.
+    pub fn full_symbol(&self) -> &'static str {
+        let written = self.also.iter().copied();
+        let mut full = written.filter(|name| name.contains('/') && name.contains(' '));
+        full.next().unwrap_or(self.symbol)
+    }
+
     /// The short Hermann–Mauguin symbol: `P 21/c` for `P 1 21/c 1`. Monoclinic settings other
     /// than unique axis b keep the ones that tell the axis.
     pub fn short_symbol(&self) -> String {

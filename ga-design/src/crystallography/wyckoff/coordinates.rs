@@ -121,10 +121,14 @@ impl SiteCoordinates {
     }
 
     /// Integer normals: a basis of all that are perpendicular to every direction in here.
-    pub(super) fn normals(&self) -> Option<Vec<[f64; 3]>> {
+    pub(super) fn normals(&self) -> Option<Vec<[i32; 3]>> {
         let rows: Vec<[i128; 3]> = self.columns().map(|c| c.map(i128::from)).collect();
         let kernel = SmithForm::of(&rows)?.kernel();
-        Some(kernel.into_iter().map(|n| n.map(|v| v as f64)).collect())
+        let narrow = |normal: [i128; 3]| {
+            let [u, v, w] = normal.map(|value| i32::try_from(value).ok());
+            Some([u?, v?, w?])
+        };
+        kernel.into_iter().map(narrow).collect()
     }
 
     /// The same places in another setting, with variables that stand alone where they can: one

@@ -47,29 +47,30 @@ impl WyckoffPositions {
             .fold(f64::INFINITY, f64::min);
         let reach = tolerance.min(smallest / 10.0);
         let reciprocal = reciprocal_metric(cell);
-        let mut best: Option<(usize, LocatedSite<'_>)> = None;
-        for position in &self.positions {
-            let dimension = position.dimension();
-            for coordinates in &position.coordinates {
-                let Some((place, distance)) = nearest(coordinates, point, &reciprocal, cell) else {
-                    continue;
-                };
-                let better = best
-                    .as_ref()
-                    .is_none_or(|(least, site)| (dimension, distance) < (*least, site.distance));
-                if distance <= reach && better {
-                    let coordinates = *coordinates;
-                    let site = LocatedSite {
-                        position,
-                        coordinates,
-                        place,
-                        distance,
-                    };
-                    best = Some((dimension, site));
+        (0..=3).find_map(|dimension| {
+            let mut best: Option<LocatedSite<'_>> = None;
+            for position in self.positions.iter().filter(|p| p.dimension() == dimension) {
+                for (coordinates, normals) in position.coordinates.iter().zip(&position.normals) {
+                    let origin = coordinates.origin();
+                    let (place, distance) = nearest(origin, normals, point, &reciprocal, cell)?;
+                    let least = best.as_ref().map_or(f64::INFINITY, |site| site.distance);
+                    if distance <= reach && distance < least {
+                        let coordinates = *coordinates;
+                        best = Some(LocatedSite {
+                            position,
+                            coordinates,
+                            place,
+                            distance,
+                        });
+                    }
+                    // All triplets of the general position are the same place: all of space.
+                    if dimension == 3 {
+                        break;
+                    }
                 }
             }
-        }
-        best.map(|(_, site)| site)
+            best
+        })
     }
 }
 
@@ -78,13 +79,12 @@ impl WyckoffPositions {
 /// With integer normals N of the triplet, the lattice translates of it lie where N (x − s) is
 /// whole. The shortest step y with N y = r is G⁻¹ Nᵀ (N G⁻¹ Nᵀ)⁻¹ r, G the metric of the cell.
 fn nearest(
-    coordinates: &SiteCoordinates,
+    origin: [f64; 3],
+    normals: &[[i32; 3]],
     point: [f64; 3],
     reciprocal: &[[f64; 3]; 3],
     cell: &Cell,
 ) -> Option<([f64; 3], f64)> {
-    let normals = coordinates.normals()?;
-    let origin = coordinates.origin();
     let relative = [0, 1, 2].map(|i| point[i] - origin[i]);
     if normals.len() == 3 {
         // A point: spared the rounding of a linear system.
@@ -92,6 +92,7 @@ fn nearest(
         let step = [0, 1, 2].map(|i| place[i] - point[i]);
         return Some((place, length(cell, step)));
     }
+    let normals: Vec<[f64; 3]> = normals.iter().map(|n| n.map(f64::from)).collect();
     let raised: Vec<[f64; 3]> = normals
         .iter()
         .map(|n| [0, 1, 2].map(|i| dot(&reciprocal[i], n)))
