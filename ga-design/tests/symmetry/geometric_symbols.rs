@@ -65,6 +65,47 @@ fn symbols_of_the_literature_are_found() {
     }
 }
 
+/// Among all notations a geometric symbol is found unless an older one means something by it.
+#[test]
+fn barred_symbols_are_found_among_all_notations() {
+    for group in SpaceGroupGenerators::table() {
+        let text = group.symbol.to_string();
+        let found = SpaceGroup::find(&text).unwrap_or_else(|e| panic!("{text}: {e}"));
+        if text.contains("b(") {
+            assert_eq!(found[0], group.standard, "{text}");
+        } else {
+            let older = SpaceGroup::from_symbol(&text).map(|found| found[0].number);
+            let hall = SpaceGroup::from_hall(&text).map(|found| found.number);
+            let mut schoenflies = SpaceGroup::from_schoenflies(&text).into_iter();
+            let schoenflies = schoenflies.next().map(|found| found.number);
+            let known = older.ok().or(schoenflies).or(hall);
+            let number = known.unwrap_or(group.number);
+            assert_eq!(found[0].number, number, "{text}");
+        }
+    }
+    // In Hermann and Mauguin's notation these are P 3₂ and P 4.
+    assert_eq!(
+        SpaceGroup::find("P 32").map(|found| found[0].number),
+        Ok(145)
+    );
+    assert_eq!(SpaceGroup::find("P 4").map(|found| found[0].number), Ok(75));
+    assert_eq!(
+        SpaceGroup::from_geometric("P 4").map(|found| found.number),
+        Ok(99)
+    );
+    let origin = SpaceGroup::find("F_d b(4) b(3):1");
+    assert!(origin.is_err());
+    assert_eq!(
+        SpaceGroup::find("F_d 4 3:1").map(|found| found[0].hall),
+        Ok("F 4d 2 3 -1d")
+    );
+    let error = SpaceGroup::find("P b(4)_5").expect_err("no such screw");
+    assert!(
+        error.to_string().contains("did you mean `P b(4)"),
+        "{error}"
+    );
+}
+
 #[test]
 fn what_is_no_symbol_is_refused() {
     let cases = [

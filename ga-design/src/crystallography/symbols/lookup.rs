@@ -1,20 +1,23 @@
-//! How a setting is found by whatever a user writes: number, Hermann–Mauguin, Schoenflies or Hall
-//! symbol.
+//! How a setting is found by whatever a user writes: number, Hermann–Mauguin, Schoenflies, Hall or
+//! geometric symbol.
 
+use super::super::generators::GeometricSymbolError;
 use super::super::hall;
 use super::{SpaceGroup, UnknownSymbol, folded, spelling};
 
 impl SpaceGroup {
     /// The settings that a text may mean, likeliest first: a number (`62`), a Hermann–Mauguin
-    /// symbol (see [`SpaceGroup::from_symbol`]), a Schoenflies symbol (`D2h^16`) or a Hall symbol
-    /// (`-P 2ac 2n`), each but the Hall symbol with `:1`, `:2`, `:H` or `:R` for origin or axes.
+    /// symbol (see [`SpaceGroup::from_symbol`]), a Schoenflies symbol (`D2h^16`), a Hall symbol
+    /// (`-P 2ac 2n`) or a geometric symbol (`P b(4)_1 b(2)`), each but the Hall symbol with `:1`,
+    /// `:2`, `:H` or `:R` for origin or axes.
     ///
-    /// What is both a Hermann–Mauguin and a Hall symbol, as `P 2`, counts as the former.
+    /// What is a symbol in several of these notations, as `P 2`, counts as the first of them;
+    /// [`SpaceGroup::from_hall`] and [`SpaceGroup::from_geometric`] read one notation only.
     ///
     /// ```
     /// use ga_design::crystallography::SpaceGroup;
     ///
-    /// for text in ["227", "F d -3 m", "F 41/d -3 2/m", "Oh^7", "-F 4vw 2vw 3"] {
+    /// for text in ["227", "F d -3 m", "F 41/d -3 2/m", "Oh^7", "-F 4vw 2vw 3", "F_d 4 3"] {
     ///     assert_eq!(SpaceGroup::find(text)?[0].qualified_symbol(), "F d -3 m:2");
     /// }
     /// assert_eq!(SpaceGroup::find("227:1")?[0].hall, "F 4d 2 3 -1d");
@@ -28,12 +31,22 @@ impl SpaceGroup {
         let by_symbol = Self::from_symbol(text);
         let other = || {
             let schoenflies = chosen(Self::from_schoenflies(name), suffix);
-            schoenflies.or_else(|| Some(vec![Self::from_hall(text)?]))
+            schoenflies
+                .or_else(|| Some(vec![Self::from_hall(text)?]))
+                .or_else(|| {
+                    let standard = Self::from_geometric(name).ok()?;
+                    chosen(Self::settings(standard.number), suffix)
+                })
         };
         by_symbol.or_else(|unknown| {
             other().ok_or_else(|| {
                 let mut unknown = unknown;
                 unknown.suggestions.extend(similar_schoenflies(name));
+                // Bars say which notation is meant.
+                let geometric = similar_geometric(name);
+                if !geometric.is_empty() {
+                    unknown.suggestions = geometric;
+                }
                 unknown
             })
         })
@@ -88,6 +101,15 @@ fn unknown(text: &str) -> UnknownSymbol {
     UnknownSymbol {
         symbol: text.chars().take(60).collect(),
         suggestions: Vec::new(),
+    }
+}
+
+/// Geometric symbols that a text with bars almost is.
+fn similar_geometric(name: &str) -> Vec<String> {
+    let barred = name.contains("b(") || name.contains(['\u{304}', '\u{305}']);
+    match SpaceGroup::from_geometric(name) {
+        Err(GeometricSymbolError::Unknown { suggestions, .. }) if barred => suggestions,
+        _ => Vec::new(),
     }
 }
 
