@@ -127,7 +127,7 @@ impl ChangeOfBasis {
     }
 
     fn undone(&self) -> Option<Self> {
-        let linear = inverse(&self.linear)?;
+        let linear = inverse(&self.linear).filter(|m| in_bounds(m.iter().flatten()))?;
         let shift = image(&linear, &self.shift).map(|value| -value);
         Some(Self { linear, shift })
     }
@@ -230,6 +230,13 @@ impl fmt::Display for ChangeOfBasis {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         print::write(out, &self.linear, &self.shift)
     }
+}
+
+fn in_bounds<'a>(values: impl IntoIterator<Item = &'a Exact>) -> bool {
+    values.into_iter().all(|value| {
+        let whole = value.numer() / value.denom();
+        FINEST % value.denom() == 0 && -LARGEST_VALUE < whole && whole < LARGEST_VALUE
+    })
 }
 
 /// An operation from exact parts; `None` when they are no integers or too fine.

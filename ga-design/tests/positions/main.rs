@@ -1,7 +1,9 @@
 //! Settings, positions, subperiodic groups and recognition, each against an independent program.
 
+mod hostile;
 mod recognition;
 mod settings;
 mod subperiodic;
+mod subperiodic_symbols;
 mod symbols;
 mod wyckoff;
