@@ -225,7 +225,8 @@ impl FromStr for ChangeOfBasis {
     }
 }
 
-/// The map from new coordinates to old ones, `x-y,x+y,z+1/4`; it reads back.
+/// The map from new coordinates to old ones, `x-y,x+y,z+1/4`; it reads back while no numerator
+/// exceeds 100 000.
 impl fmt::Display for ChangeOfBasis {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         print::write(out, &self.linear, &self.shift)
