@@ -4,6 +4,7 @@ mod hostile;
 mod orbifolds;
 mod recognition;
 mod settings;
+mod structures;
 mod subperiodic;
 mod subperiodic_symbols;
 mod symbols;
