@@ -11,6 +11,10 @@
 //!            └─ lattice, generators ──► SpaceGroup::generate ──► Isometry, Operation
 //! ```
 //!
+//! Beside this way stand the groups themselves: [`SpaceGroup`] by every symbol and setting,
+//! [`SubperiodicGroup`] for friezes, wallpapers, rods and layers, [`WyckoffPositions`] for special
+//! places, [`Recognition`] of a list of operations, and [`ChangeOfBasis`] between settings.
+//!
 //! Symmetry is exact (integers and rationals modulo the lattice); only lengths and coordinates
 //! are floating point. Fractional coordinates are columns, so an operation `(W, w)` maps `x` to
 //! `W x + w`, as in *International Tables for Crystallography*, volume A.

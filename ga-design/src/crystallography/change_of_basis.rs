@@ -42,6 +42,8 @@ const LARGEST_VALUE: i128 = 100_000;
 pub struct ChangeOfBasis {
     linear: Matrix,
     shift: Column,
+    /// Of `linear`.
+    inverse: Matrix,
 }
 
 /// Why a text is no change of basis.
@@ -63,6 +65,7 @@ impl ChangeOfBasis {
         Self {
             linear: identity(),
             shift: [Exact::from_integer(0); 3],
+            inverse: identity(),
         }
     }
 
@@ -81,20 +84,18 @@ impl ChangeOfBasis {
 
     /// As [`ChangeOfBasis::new`].
     pub(super) fn from_exact(linear: Matrix, shift: Column) -> Option<Self> {
-        let change = Self { linear, shift };
         // The inverse is kept in bounds as well, so that every change can be undone.
-        (change.in_bounds() && change.undone()?.in_bounds()).then_some(change)
-    }
-
-    fn in_bounds(&self) -> bool {
-        self.linear
-            .iter()
-            .flatten()
-            .chain(&self.shift)
-            .all(|value| {
-                FINEST % value.denom() == 0
-                    && (value.numer() / value.denom()).unsigned_abs() < LARGEST_VALUE.unsigned_abs()
-            })
+        let bounded = |matrix: &Matrix| in_bounds(matrix.iter().flatten());
+        if !bounded(&linear) || !in_bounds(&shift) {
+            return None;
+        }
+        let inverse = inverse(&linear).filter(bounded)?;
+        let change = Self {
+            linear,
+            shift,
+            inverse,
+        };
+        in_bounds(&change.inverse().shift).then_some(change)
     }
 
     /// The matrix `P`, row by row; its columns are the new edges in the old basis.
@@ -108,8 +109,8 @@ impl ChangeOfBasis {
     }
 
     /// The volume of the new cell in old cells; negative when the handedness changes.
-    pub fn determinant(&self) -> Ratio<i64> {
-        narrow(determinant(&self.linear))
+    pub fn determinant(&self) -> Ratio<i128> {
+        determinant(&self.linear)
     }
 
     /// The change back: from the new setting to the old one.
@@ -122,14 +123,11 @@ impl ChangeOfBasis {
     /// # Ok::<(), ga_design::crystallography::ChangeOfBasisError>(())
     /// ```
     pub fn inverse(&self) -> Self {
-        // Checked when the change was made.
-        self.undone().unwrap_or(*self)
-    }
-
-    fn undone(&self) -> Option<Self> {
-        let linear = inverse(&self.linear)?;
-        let shift = image(&linear, &self.shift).map(|value| -value);
-        Some(Self { linear, shift })
+        Self {
+            linear: self.inverse,
+            shift: image(&self.inverse, &self.shift).map(|value| -value),
+            inverse: self.linear,
+        }
     }
 
     /// This change, followed by one that starts from the new setting.
@@ -146,14 +144,14 @@ impl ChangeOfBasis {
     /// `None` when it has no integer matrix there, or a translation finer than operations know:
     /// then it does not belong to a group that has the new cell.
     pub fn operation(&self, old: &Operation) -> Option<Operation> {
-        let linear = inverse(&self.linear)?;
+        let linear = &self.inverse;
         let rotation = old
             .rotation()
             .map(|row| row.map(|entry| Exact::from_integer(entry.into())));
         let moved = sum(&image(&rotation, &self.shift), &units(old));
-        let translation = image(&linear, &difference(&moved, &self.shift));
+        let translation = image(linear, &difference(&moved, &self.shift));
         operation(
-            &product(&product(&linear, &rotation), &self.linear),
+            &product(&product(linear, &rotation), &self.linear),
             &translation,
         )
     }
@@ -161,10 +159,9 @@ impl ChangeOfBasis {
     /// What the old lattice translations become in the new setting: the three old edges, as
     /// operations. Those that are not the identity are centring translations of a larger new cell.
     pub fn old_lattice(&self) -> Option<[Operation; 3]> {
-        let linear = inverse(&self.linear)?;
         let mut edges = [Operation::IDENTITY; 3];
         for (axis, edge) in edges.iter_mut().enumerate() {
-            *edge = operation(&identity(), &linear.map(|row| row[axis]))?;
+            *edge = operation(&identity(), &self.inverse.map(|row| row[axis]))?;
         }
         Some(edges)
     }
@@ -225,11 +222,19 @@ impl FromStr for ChangeOfBasis {
     }
 }
 
-/// The map from new coordinates to old ones, `x-y,x+y,z+1/4`; it reads back.
+/// The map from new coordinates to old ones, `x-y,x+y,z+1/4`; it reads back while no numerator
+/// exceeds 100 000.
 impl fmt::Display for ChangeOfBasis {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         print::write(out, &self.linear, &self.shift)
     }
+}
+
+fn in_bounds<'a>(values: impl IntoIterator<Item = &'a Exact>) -> bool {
+    values.into_iter().all(|value| {
+        let whole = value.numer() / value.denom();
+        FINEST % value.denom() == 0 && -LARGEST_VALUE < whole && whole < LARGEST_VALUE
+    })
 }
 
 /// An operation from exact parts; `None` when they are no integers or too fine.

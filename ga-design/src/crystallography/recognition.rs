@@ -29,6 +29,9 @@ pub struct Recognition {
     pub number: u32,
     /// The change of basis that makes the operations of the standard setting these ones; it keeps
     /// the handedness, so that enantiomorphic groups are told apart.
+    ///
+    /// Where several do (they differ by a symmetry of the group's own pattern of elements, its
+    /// normaliser), one is chosen: Wyckoff letters that the normaliser exchanges depend on it.
     pub from_standard: ChangeOfBasis,
 }
 

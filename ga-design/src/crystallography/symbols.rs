@@ -99,13 +99,8 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn from_symbol(symbol: &str) -> Result<Vec<&'static Self>, UnknownSymbol> {
-        if let Some((first, second)) = symbol.split_once('(') {
-            let (further, suffix) = second.rsplit_once(':').unwrap_or((second, ""));
-            let mut found = Self::from_symbol(&format!("{first}:{suffix}"))?;
-            found.retain(|group| group.has_further(further));
-            if !found.is_empty() {
-                return Ok(found);
-            }
+        if let Some(settings) = extended::find(symbol) {
+            return Ok(settings);
         }
         let found = spelling::readings(symbol)
             .into_iter()

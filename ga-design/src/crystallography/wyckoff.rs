@@ -103,7 +103,12 @@ impl WyckoffPositions {
     /// [`ChangeOfBasis::operations`]).
     pub fn in_setting(number: u32, change: &ChangeOfBasis) -> Option<Self> {
         let group = SpaceGroup::standard(number)?;
-        let operations = change.operations(&group.operations().ok()?)?;
+        let standard = group.operations().ok()?;
+        let operations = if *change == ChangeOfBasis::identity() {
+            standard
+        } else {
+            change.operations(&standard)?
+        };
         let mut positions = Vec::new();
         for row in ROWS.get(&number)? {
             let representative = row.representative.carried(change)?;

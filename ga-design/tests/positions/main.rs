@@ -1,7 +1,11 @@
 //! Settings, positions, subperiodic groups and recognition, each against an independent program.
 
+mod hostile;
+mod orbifolds;
 mod recognition;
 mod settings;
+mod structures;
 mod subperiodic;
+mod subperiodic_symbols;
 mod symbols;
 mod wyckoff;

@@ -185,6 +185,23 @@ fn extended_symbols_name_the_further_axes_and_planes() {
 }
 
 #[test]
+fn brackets_round_subscripts_are_no_further_elements() {
+    let cases = [
+        ("P2(1)/c", 14),
+        ("P2(1)2(1)2(1)", 19),
+        ("P-42(1)c", 114),
+        ("I4(1)/amd", 141),
+        ("P6(3)/mmc", 194),
+        ("Cmc2(1)", 36),
+        ("P3(1)", 144),
+        ("C222(1)", 20),
+    ];
+    for (symbol, number) in cases {
+        assert_eq!(first(symbol).number, number, "{symbol}");
+    }
+}
+
+#[test]
 fn systems_laue_classes_and_centrings_are_those_of_moyo() {
     for hall_number in 1..=530 {
         let entry = hall_symbol_entry(hall_number).expect("530 entries");

@@ -11,6 +11,17 @@ use super::super::direction::{self, Direction, signless};
 use super::super::operation::{DENOMINATOR, Operation};
 use super::{CrystalSystem, SpaceGroup};
 
+/// The settings of a symbol with further elements in brackets, which they all have.
+///
+/// `None` for anything else: in `P2(1)/c` the brackets are another spelling of a subscript.
+pub fn find(symbol: &str) -> Option<Vec<&'static SpaceGroup>> {
+    let (first, second) = symbol.split_once('(')?;
+    let (further, suffix) = second.rsplit_once(':').unwrap_or((second, ""));
+    let mut found = SpaceGroup::from_symbol(&format!("{first}:{suffix}")).ok()?;
+    found.retain(|group| group.has_further(further));
+    (!found.is_empty()).then_some(found)
+}
+
 impl SpaceGroup {
     /// The extended Hermann–Mauguin symbol: the full symbol, then in brackets the further axes and
     /// planes, in the order of the symmetry directions, lines parted by semicolons.
@@ -41,7 +52,7 @@ impl SpaceGroup {
 
     /// Whether all the words of a second line, such as `21/b` or `n`, are elements that
     /// [`SpaceGroup::extended_symbol`] lists.
-    pub(super) fn has_further(&self, words: &str) -> bool {
+    fn has_further(&self, words: &str) -> bool {
         let further = self.further_elements();
         let known = |word: &str| {
             further.iter().any(|all| {

@@ -9,7 +9,10 @@ use super::super::change_of_basis::ChangeOfBasis;
 use super::super::operation::{DENOMINATOR, Operation, affine};
 use super::super::smith::SmithForm;
 
-type Exact = Ratio<i64>;
+type Exact = Ratio<i128>;
+
+/// Numerators and denominators stay below this, so that 128 bits hold every product and sum.
+const LARGEST: i128 = 1 << 40;
 
 /// The places that one coordinate triplet describes: `linear · (x, y, z) + shift` for all values
 /// of the variables that occur, modulo the lattice.
@@ -40,7 +43,7 @@ impl SiteCoordinates {
     /// Reads `x,2x,1/4`.
     pub(super) fn read(text: &str) -> Option<Self> {
         let map = affine(text).ok()?;
-        Self::from_exact(&map.linear, &map.shift)
+        Self::from_exact(&map.linear.map(|row| row.map(wide)), &map.shift.map(wide))
     }
 
     fn from_exact(linear: &[[Exact; 3]; 3], shift: &[Exact; 3]) -> Option<Self> {
@@ -55,7 +58,7 @@ impl SiteCoordinates {
                     .then(|| i32::try_from(*value.numer()).ok())??;
             }
         }
-        let scale = i64::from(DENOMINATOR);
+        let scale = i128::from(DENOMINATOR);
         for (unit, value) in site.shift.iter_mut().zip(shift) {
             if scale % value.denom() != 0 {
                 return None;
@@ -138,7 +141,10 @@ impl SiteCoordinates {
             return Some(*self);
         }
         let back = change.inverse();
-        let (q, p) = (back.linear(), back.shift());
+        let (q, p) = (
+            back.linear().map(|row| row.map(wide)),
+            back.shift().map(wide),
+        );
         let old = self
             .linear
             .map(|row| row.map(|v| Exact::from_integer(v.into())));
@@ -157,7 +163,7 @@ impl SiteCoordinates {
             0 => &[&[]],
             1 => &[&[0], &[1], &[2]],
             2 => &[&[0, 1], &[0, 2], &[1, 2]],
-            _ => &[&[0, 1, 2]],
+            _ => return Some(Self::GENERAL),
         };
         choices
             .iter()
@@ -186,6 +192,10 @@ fn solved(columns: &[[Exact; 3]], shift: [Exact; 3], pivots: &[usize]) -> Option
                 }
             }
         }
+        let large = |v: &Exact| v.numer().abs() >= LARGEST || *v.denom() >= LARGEST;
+        if columns.iter().flatten().any(large) {
+            return None;
+        }
     }
     let mut linear = [[zero; 3]; 3];
     let mut origin = shift;
@@ -201,8 +211,8 @@ fn solved(columns: &[[Exact; 3]], shift: [Exact; 3], pivots: &[usize]) -> Option
 /// The same places with the shortest whole directions for variables.
 fn saturated(columns: &[[Exact; 3]], shift: [Exact; 3]) -> Option<SiteCoordinates> {
     let whole = |column: &[Exact; 3]| {
-        let scale: i64 = column.iter().map(|value| *value.denom()).product();
-        column.map(|value| i128::from((value * scale).to_integer()))
+        let scale: i128 = column.iter().map(|value| *value.denom()).product();
+        column.map(|value| (value * scale).to_integer())
     };
     let rows: Vec<[i128; 3]> = columns.iter().map(whole).collect();
     let normals = SmithForm::of(&rows)?.kernel();
@@ -210,10 +220,14 @@ fn saturated(columns: &[[Exact; 3]], shift: [Exact; 3]) -> Option<SiteCoordinate
     let mut linear = [[Exact::from_integer(0); 3]; 3];
     for (j, direction) in directions.iter().enumerate() {
         for (i, value) in direction.iter().enumerate() {
-            linear[i][j] = Exact::from_integer(i64::try_from(*value).ok()?);
+            linear[i][j] = Exact::from_integer(*value);
         }
     }
     SiteCoordinates::from_exact(&linear, &shift)
+}
+
+fn wide(value: Ratio<i64>) -> Exact {
+    Exact::new((*value.numer()).into(), (*value.denom()).into())
 }
 
 fn fraction(unit: i32) -> f64 {
