@@ -6,3 +6,4 @@ pub mod export;
 pub mod folding;
 pub mod gallery;
 pub mod mesh;
+pub mod tensegrity;
