@@ -12,6 +12,7 @@ mod prism;
 mod rotations;
 mod stability;
 mod structure;
+mod tower;
 
 pub use analysis::Analysis;
 pub use error::TensegrityError;
@@ -21,3 +22,4 @@ pub use octahedron::{BALANCED_RATIO, Octahedron};
 pub use prism::{Hand, MOST_PRISM_STRUTS, Prism, balanced_twist};
 pub use stability::Stability;
 pub use structure::{MOST_MEMBERS, MOST_NODES, Member, Role, Structure};
+pub use tower::Tower;

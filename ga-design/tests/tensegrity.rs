@@ -1,5 +1,5 @@
 //! Structures in balance, against the numbers of the literature.
-use ga_design::tensegrity::{Analysis, Hand, Octahedron, Polyhedron, Prism, Solid};
+use ga_design::tensegrity::{Analysis, Hand, Octahedron, Polyhedron, Prism, Solid, Tower};
 
 #[test]
 fn experiment() {
@@ -13,6 +13,12 @@ fn experiment() {
         let s = Prism{struts:n, hand, ..Default::default()}.structure().unwrap();
         let a = Analysis::of(&s).unwrap();
         println!("prism {n} {} {} {} {:?} states {} mech {} null {} res {:e} {:?}", s.nodes().len(), s.struts().count(), s.cables().count(), a.stability, a.states, a.mechanisms, a.nullity, a.residual(&s), [a.force_densities[0], a.force_densities[n], a.force_densities[2*n]]);
+    }}
+    for (struts, stages) in [(3,2),(3,3),(3,4),(3,5),(3,8),(4,2),(4,4),(5,3),(6,3)] { for hand in [Hand::Left, Hand::Right] {
+        let t = std::time::Instant::now();
+        match (Tower{struts, stages, hand, ..Default::default()}).structure() { Err(e) => println!("{struts} {stages} {e}"), Ok(s) => {
+        let a = Analysis::of(&s).unwrap();
+        println!("tower {struts} {stages} {} {} {} {:?} states {} mech {} null {} res {:e} {:?} free {} {:?}", s.nodes().len(), s.struts().count(), s.cables().count(), a.stability, a.states, a.mechanisms, a.nullity, a.residual(&s), a.eigenvalues.first(), s.has_free_struts(), t.elapsed()); }}
     }}
     for solid in Solid::ALL {
         let t = std::time::Instant::now();

@@ -12,6 +12,12 @@ pub enum TensegrityError {
         /// The number of struts.
         value: usize,
     },
+    /// A single stage is a prism.
+    #[error("{value} stages make no tower: it takes at least 2")]
+    FewStages {
+        /// The number of stages.
+        value: usize,
+    },
     /// More of something than is computed with.
     #[error("{value} {what} are too many: at most {most}")]
     TooMany {
