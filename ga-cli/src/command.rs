@@ -3,6 +3,7 @@
 mod crystal;
 mod expand;
 mod gallery;
+mod tensegrity;
 
 use crate::failure::Failure;
 use clap::Subcommand;
@@ -12,6 +13,7 @@ use clap::Subcommand;
 pub enum Command {
     Gallery(gallery::Arguments),
     Crystal(crystal::Arguments),
+    Tensegrity(tensegrity::Arguments),
     Expand(expand::Arguments),
 }
 
@@ -21,6 +23,7 @@ impl Command {
         match self {
             Command::Gallery(arguments) => gallery::run(arguments),
             Command::Crystal(arguments) => crystal::run(arguments),
+            Command::Tensegrity(arguments) => tensegrity::run(arguments),
             Command::Expand(arguments) => expand::run(arguments),
         }
     }

@@ -5,6 +5,7 @@ use ga_design::crystallography::cif::CifError;
 use ga_design::crystallography::{CellRangeError, ExpansionError};
 use ga_design::export::ExportError;
 use ga_design::gallery::GalleryError;
+use ga_design::tensegrity::TensegrityError;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -51,6 +52,9 @@ pub enum Failure {
         /// What stands in the way.
         reason: GalleryError,
     },
+    /// A structure of struts and cables cannot be made.
+    #[error(transparent)]
+    Tensegrity(#[from] TensegrityError),
     /// An algebra has mistakes, each on a line of its own that begins with its place.
     #[error("{0}")]
     Algebra(String),

@@ -32,6 +32,7 @@ const EXAMPLES: &str = "Examples:
   articulate crystal quartz.cif --out quartz.glb --cells 2x2x2
                                                  save a block of a crystal for a viewer
   articulate crystal quartz.cif --json           print the atoms of its unit cell
+  articulate tensegrity tower --out tower.glb    save a tower of struts and cables
   articulate expand R4_1 --ledger                print what each product of an algebra costs
 
 `articulate COMMAND --help` explains a command.";

@@ -3,6 +3,7 @@
 //! A scene is a function of its own in a file of its own: it makes a figure with the algebra, and a
 //! test beside it holds what must be true of that figure. Adding one is a row of [`entries`].
 
+mod balanced_shapes;
 mod bonds;
 mod camera_roll;
 mod conformal_motions;
@@ -20,12 +21,15 @@ mod reflections;
 mod spans;
 mod spiral;
 mod stereographic;
+mod tensegrities;
 
 use crate::crystallography::cif::CifError;
 use crate::crystallography::{CellRangeError, ExpansionError};
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
 use crate::mesh::MeshError;
+use crate::tensegrity::TensegrityError;
+use crate::warp::WarpError;
 use thiserror::Error;
 
 /// A scene of the gallery, not yet made.
@@ -69,6 +73,12 @@ pub enum GalleryError {
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),
+    /// A structure of struts and cables could not be made.
+    #[error(transparent)]
+    Tensegrity(#[from] TensegrityError),
+    /// A shape could not be warped.
+    #[error(transparent)]
+    Warp(#[from] WarpError),
     /// A shape could not be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -100,15 +110,20 @@ pub const fn entries() -> &'static [Entry] {
             entry("two-reflections", reflections::scene),
             entry("calcite", crystals::calcite),
             entry("tetrahedral-helix", helix::scene),
+            entry("expanded-octahedron", tensegrities::octahedron),
             entry("rutile", crystals::rutile),
             entry("motions", motions::scene),
             entry("conformal-motions", conformal_motions::scene),
             entry("miura", miura::scene),
+            entry("tensegrity-tower", tensegrities::tower),
             entry("halite", crystals::halite),
+            entry("balanced-shapes", balanced_shapes::scene),
             entry("stereographic", stereographic::scene),
             entry("camera-roll", camera_roll::scene),
+            entry("tensegrity-solids", tensegrities::solids),
             entry("spiral", spiral::scene),
             entry("spinel", crystals::spinel),
+            entry("octahedron-variations", tensegrities::variations),
             entry("spans", spans::scene),
             entry("pyrite", crystals::pyrite),
         ]

@@ -7,3 +7,4 @@ pub mod folding;
 pub mod gallery;
 pub mod mesh;
 pub mod tensegrity;
+pub mod warp;

@@ -13,7 +13,7 @@ const SAME: f64 = 1e-6;
 
 /// The rotations that two roots at a time generate: the groups p̄q̄ of Table 3.2.
 #[derive(Debug, Clone)]
-pub(super) struct Rotations {
+pub(crate) struct Rotations {
     /// The product ab, of order p.
     pub ab: Rotor,
     /// The product bc, of order q.
@@ -85,23 +85,23 @@ fn isometry(rotor: Rotor) -> Isometry {
 }
 
 /// The rotations of the regular tetrahedron, 3̄3̄, with their half turns about the axes.
-pub(super) fn tetrahedral() -> Result<Rotations, TensegrityError> {
+pub(crate) fn tetrahedral() -> Result<Rotations, TensegrityError> {
     Rotations::new(3, 3, eighth_turn(Vector3::new(0.0, 1.0, 0.0)))
 }
 
 /// The rotations of the cube, 4̄3̄, with their quarter turns about the axes.
-pub(super) fn octahedral() -> Result<Rotations, TensegrityError> {
+pub(crate) fn octahedral() -> Result<Rotations, TensegrityError> {
     Rotations::new(4, 3, eighth_turn(Vector3::new(1.0, 0.0, 0.0)))
 }
 
 /// The rotations of the regular icosahedron, 5̄3̄, with half turns about the axes.
-pub(super) fn icosahedral() -> Result<Rotations, TensegrityError> {
+pub(crate) fn icosahedral() -> Result<Rotations, TensegrityError> {
     Rotations::new(5, 3, Rotor::identity())
 }
 
 /// The rotations of a regular n-gon with two sides, n̄2̄, about the z axis; one of the half turns is about
 /// the y axis.
-pub(super) fn dihedral(n: usize) -> Result<Rotations, TensegrityError> {
+pub(crate) fn dihedral(n: usize) -> Result<Rotations, TensegrityError> {
     Rotations::new(n, 2, Rotor::identity())
 }
 
