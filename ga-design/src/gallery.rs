@@ -24,7 +24,7 @@ mod stereographic;
 mod tensegrities;
 
 use crate::crystallography::cif::CifError;
-use crate::crystallography::{CellRangeError, ExpansionError};
+use crate::crystallography::{CellRangeError, ExpansionError, PointSymbolError};
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
 use crate::mesh::MeshError;
@@ -73,6 +73,9 @@ pub enum GalleryError {
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),
+    /// A symbol stands for no point group.
+    #[error(transparent)]
+    PointGroup(#[from] PointSymbolError),
     /// A structure of struts and cables could not be made.
     #[error(transparent)]
     Tensegrity(#[from] TensegrityError),

@@ -9,7 +9,7 @@ mod generate;
 mod octahedron;
 mod prestress;
 mod prism;
-pub(crate) mod rotations;
+mod rotations;
 pub mod scene;
 mod stability;
 mod structure;

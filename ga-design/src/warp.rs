@@ -138,7 +138,9 @@ impl Warp {
         }
         let centred = pairs.into_iter().enumerate().map(|(index, pair)| {
             let is_finite = pair.to_array().iter().all(|part| part.is_finite());
-            let center = pair.center().filter(|center| is_finite && center.ni.is_finite());
+            let center = pair
+                .center()
+                .filter(|center| is_finite && center.ni.is_finite());
             let center = center.ok_or(WarpError::NoCenter { index })?;
             Ok((pair, center))
         });
@@ -163,7 +165,7 @@ impl Warp {
         let mut images: Vec<PointPair> = Vec::new();
         for &pair in pairs {
             for isometry in group {
-                let image = image(isometry, pair);
+                let image = isometry.apply(pair);
                 let near = SAME * size(image);
                 if !images.iter().any(|&known| size(known - image) <= near) {
                     images.push(image);
@@ -249,17 +251,10 @@ impl Warp {
     }
 }
 
-/// The image of a pair under an isometry.
-fn image(isometry: &Isometry, pair: PointPair) -> PointPair {
-    let reflected: PointPair = match isometry.mirror {
-        Some(plane) => plane.apply(pair),
-        None => pair,
-    };
-    isometry.motor.apply(reflected)
-}
-
 /// The largest coefficient of a pair.
 fn size(pair: PointPair) -> f64 {
     let parts = pair.to_array();
-    parts.iter().fold(0.0, |so_far, part| so_far.max(part.abs()))
+    parts
+        .iter()
+        .fold(0.0, |so_far, part| so_far.max(part.abs()))
 }

@@ -1,137 +1,211 @@
-//! Spheres and a cylinder warped by point pairs that a group has made symmetric (3.9, figure 3.7).
+//! Spheres and cylinders warped by point pairs that a group has made symmetric (3.9, figure 3.7).
 
 use super::GalleryError;
 use super::palette::{BLUE, ORANGE, TEAL, YELLOW, solid};
-use crate::crystallography::Isometry;
+use crate::crystallography::PointGroup;
 use crate::export::{Scene, View};
 use crate::mesh::{self, Ends, Mesh};
-use crate::tensegrity::rotations::{dihedral, icosahedral, octahedral, tetrahedral};
 use crate::warp::{Warp, Weighting};
 use ga_cga::{Point, PointPair, Vector3};
 
-/// A shape, the group and the pair that warp it.
+/// What is warped.
+#[derive(Debug, Clone, Copy)]
+enum Blank {
+    Sphere,
+    /// A cylinder of radius one and this half of a height.
+    Cylinder(f64),
+}
+
+/// A shape, and the pair and the group that warp it.
 struct Example {
     name: &'static str,
     color: [u8; 3],
-    at: [f64; 3],
-    is_cylinder: bool,
-    group: fn() -> Result<Vec<Isometry>, GalleryError>,
-    pair: PointPair,
+    blank: Blank,
+    /// The geometric symbol of the group.
+    group: &'static str,
+    /// The centre, the direction and the squared radius of the pair.
+    pair: ([f64; 3], [f64; 3], f64),
     weighting: Weighting,
     amount: f64,
 }
 
-fn tangent(at: [f64; 3], along: [f64; 3]) -> PointPair {
-    let [x, y, z] = at;
-    PointPair::tangent(Point::at(x, y, z), Vector3::from(along))
+const fn near(reach: f64) -> Weighting {
+    Weighting::Near { reach }
 }
 
-fn examples() -> [Example; 6] {
+/// Spheres above, cylinders below.
+const EXAMPLES: [[Example; 4]; 2] = [
     [
         Example {
-            name: "tetrahedral",
+            name: "star",
             color: ORANGE,
-            at: [-2.9, 0.0, 1.5],
-            is_cylinder: false,
-            group: || Ok(tetrahedral()?.isometries()),
-            pair: tangent([0.9, 0.9, 0.9], [0.5, -0.5, 0.2]),
-            weighting: Weighting::Near { reach: 0.6 },
-            amount: 0.6,
+            blank: Blank::Sphere,
+            group: "43",
+            pair: ([0.577; 3], [0.577; 3], 0.0),
+            weighting: near(0.5),
+            amount: 0.8,
         },
+        Example {
+            name: "flower",
+            color: YELLOW,
+            blank: Blank::Sphere,
+            group: "43",
+            pair: ([0.65; 3], [1.0; 3], -0.2),
+            weighting: near(0.35),
+            amount: -0.6,
+        },
+        Example {
+            name: "buds",
+            color: TEAL,
+            blank: Blank::Sphere,
+            group: "53",
+            pair: ([1.2, 0.0, 0.0], [1.0, 0.0, 0.0], -0.1),
+            weighting: near(0.3),
+            amount: -0.8,
+        },
+        Example {
+            name: "propeller",
+            color: BLUE,
+            blank: Blank::Sphere,
+            group: "b(3)b(2)",
+            pair: ([0.9, 0.0, 0.4], [0.6, 0.7, 0.7], -0.4),
+            weighting: near(0.6),
+            amount: -1.2,
+        },
+    ],
+    [
         Example {
             name: "gear",
             color: BLUE,
-            at: [0.0, 0.0, 1.5],
-            is_cylinder: true,
-            group: || Ok(dihedral(8)?.isometries()),
-            pair: tangent([1.0, 0.0, 0.0], [0.5, 0.5, 0.0]),
-            weighting: Weighting::Near { reach: 0.3 },
-            amount: 0.5,
+            blank: Blank::Cylinder(0.2),
+            group: "b(7)b(2)",
+            pair: ([0.9, 0.0, 0.0], [0.0, 1.0, 0.8], -0.1),
+            weighting: near(0.3),
+            amount: 1.2,
         },
         Example {
-            name: "cube",
+            name: "lantern",
             color: TEAL,
-            at: [2.9, 0.0, 1.5],
-            is_cylinder: false,
-            group: || Ok(octahedral()?.isometries()),
-            pair: tangent([1.0, 0.0, 0.2], [0.3, 0.5, 0.0]),
-            weighting: Weighting::Near { reach: 0.5 },
-            amount: 0.5,
+            blank: Blank::Cylinder(1.0),
+            group: "b(6)2",
+            pair: ([1.2, 0.0, 0.5], [1.0, 0.0, 1.0], 0.0),
+            weighting: near(0.5),
+            amount: -0.8,
         },
         Example {
-            name: "fan",
+            name: "spindle",
             color: YELLOW,
-            at: [-2.9, 0.0, -1.5],
-            is_cylinder: true,
-            group: || Ok(dihedral(5)?.isometries()),
-            pair: tangent([1.0, 0.0, 0.6], [0.2, 0.5, 0.5]),
-            weighting: Weighting::Near { reach: 0.5 },
-            amount: 0.7,
-        },
-        Example {
-            name: "icosahedral",
-            color: BLUE,
-            at: [0.0, 0.0, -1.5],
-            is_cylinder: false,
-            group: || Ok(icosahedral()?.isometries()),
-            pair: tangent([1.0, 0.2, 0.1], [0.5, 0.3, 0.0]),
-            weighting: Weighting::Near { reach: 0.3 },
-            amount: 0.4,
-        },
-        Example {
-            name: "far",
-            color: ORANGE,
-            at: [2.9, 0.0, -1.5],
-            is_cylinder: false,
-            group: || Ok(dihedral(3)?.isometries()),
-            pair: tangent([1.0, 0.0, 0.5], [0.1, 0.3, 0.2]),
+            blank: Blank::Cylinder(1.0),
+            group: "b(3)b(2)",
+            pair: ([0.3, 0.6, 0.5], [0.6, 0.3, 0.6], 0.0),
             weighting: Weighting::SquaredDistance,
-            amount: 0.15,
+            amount: 0.12,
         },
-    ]
-}
+        Example {
+            name: "column",
+            color: ORANGE,
+            blank: Blank::Cylinder(1.2),
+            group: "b(4)b(2)",
+            pair: ([1.0, 0.0, 0.6], [0.0, 1.0, 1.0], -0.2),
+            weighting: near(0.5),
+            amount: 1.0,
+        },
+    ],
+];
+
+/// The distance between the middles of neighbours, which are two wide.
+const APART: f64 = 2.5;
 
 impl Example {
     fn warp(&self) -> Result<Warp, GalleryError> {
+        let group = PointGroup::from_geometric(self.group)?;
+        let (at, along, square) = self.pair;
+        let center = Point::from(Vector3::from(at));
+        let pair = PointPair::about(center, square, Vector3::from(along));
+        let transformations = group.transformations();
         Ok(Warp::generated(
-            &(self.group)()?,
-            &[self.pair],
+            transformations,
+            &[pair],
             self.weighting,
             self.amount,
         )?)
     }
 
-    fn mesh(&self) -> Result<Mesh, GalleryError> {
-        let shape = if self.is_cylinder {
-            let steps: u32 = 80;
-            let line: Vec<[f64; 3]> = (0..=steps)
-                .map(|i| [0.0, 0.0, 2.0 * f64::from(i) / f64::from(steps) - 1.0])
-                .collect();
-            mesh::tube(&line, Ends::Capped, 1.0, 192)?
-        } else {
-            mesh::icosphere(6)?
+    fn blank(&self) -> Result<Mesh, GalleryError> {
+        Ok(match self.blank {
+            Blank::Sphere => mesh::icosphere(6)?,
+            Blank::Cylinder(half) => {
+                let steps = -40..=40;
+                let line: Vec<_> = steps
+                    .map(|i| [0.0, 0.0, half * f64::from(i) / 40.0])
+                    .collect();
+                mesh::tube(&line, Ends::Capped, 1.0, 240)?
+            }
+        })
+    }
+
+    /// The warped shape, two wide, with its middle here.
+    fn standing(&self, at: [f64; 3]) -> Result<Mesh, GalleryError> {
+        let warped = self.warp()?.mesh(&self.blank()?)?;
+        let [least, greatest] = warped.bounds();
+        let widths = least.iter().zip(greatest).map(|(low, high)| high - low);
+        let scale = 2.0 / widths.fold(f64::MIN_POSITIVE, f64::max);
+        let place = |p: &[f64; 3]| {
+            std::array::from_fn(|i| at[i] + scale * (p[i] - least[i].midpoint(greatest[i])))
         };
-        Ok(self.warp()?.mesh(&shape)?)
+        Ok(Mesh::new(
+            warped.positions().iter().map(place).collect(),
+            warped.normals().to_vec(),
+            warped.triangles().to_vec(),
+        )?)
     }
 }
 
 pub(super) fn scene() -> Result<Scene, GalleryError> {
-    let mut scene = Scene::new("balanced-shapes", "Balanced shapes", "Spheres and cylinders.");
-    for example in examples() {
-        let mesh = example.mesh()?;
-        let at = example.at;
-        let positions = mesh.positions().iter();
-        let moved = Mesh::new(
-            positions.map(|p| std::array::from_fn(|i| p[i] + at[i])).collect(),
-            mesh.normals().to_vec(),
-            mesh.triangles().to_vec(),
-        )?;
-        let material = scene.add_material(solid(example.name, example.color)?);
-        scene.add(example.name, moved, material)?;
+    let mut scene = Scene::new(
+        "balanced-shapes",
+        "Balanced shapes",
+        "Spheres above and cylinders below, each warped by a single point pair and its images under a \
+         point group: every point is moved by the exponential of their sum, in which a pair counts the \
+         more the nearer it is; for the yellow spindle the farther, as (3.9) is printed. The shapes have \
+         the symmetry of their groups: 43, 43, 53 and 3̄2̄, then 7̄2̄, 6̄2, 3̄2̄ and 4̄2̄.",
+    );
+    for (row, examples) in EXAMPLES.iter().enumerate() {
+        for (column, example) in examples.iter().enumerate() {
+            let at = [APART * column as f64, 0.0, -APART * row as f64];
+            let material = scene.add_material(solid(example.name, example.color)?);
+            scene.add(example.name, example.standing(at)?, material)?;
+        }
     }
     scene.set_view(View {
-        azimuth: -1.3,
-        elevation: 0.3,
+        azimuth: -1.42,
+        elevation: 0.36,
     })?;
     Ok(scene)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_warps_commute_with_their_groups() -> Result<(), GalleryError> {
+        for example in EXAMPLES.iter().flatten() {
+            let (warp, group) = (example.warp()?, PointGroup::from_geometric(example.group)?);
+            let point = Point::at(0.6, 0.48, 0.64);
+            let Some(image) = warp.apply(point) else {
+                return Err(GalleryError::Degenerate { what: "an image" });
+            };
+            for isometry in group.transformations() {
+                let first = warp.apply(isometry.apply(point));
+                let apart = first.map(|first| first.distance(isometry.apply(image)));
+                assert!(
+                    apart.is_some_and(|apart| apart < 1e-12),
+                    "{} {apart:?}",
+                    example.name
+                );
+            }
+        }
+        Ok(())
+    }
 }

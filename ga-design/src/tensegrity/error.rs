@@ -1,5 +1,6 @@
 //! Decides what is said when a structure cannot be made or held in balance.
 
+use crate::crystallography::RootsError;
 use thiserror::Error;
 
 /// Why there is no such structure.
@@ -70,7 +71,12 @@ pub enum TensegrityError {
         /// What was tried.
         what: &'static str,
     },
+    /// There is no group of this order.
+    #[error(transparent)]
+    Roots(#[from] RootsError),
     /// A decomposition does not converge.
-    #[error("the rank of the equilibrium matrix cannot be decided: the structure is too nearly degenerate")]
+    #[error(
+        "the rank of the equilibrium matrix cannot be decided: the structure is too nearly degenerate"
+    )]
     Undecided,
 }

@@ -159,11 +159,7 @@ impl Polyhedron {
             Some(pattern) => {
                 let Balance { node, .. } = pattern.with_ratio(ratio)?;
                 let to = |rotor: Rotor| rotor.apply(node.position());
-                members(
-                    node.position(),
-                    to(pattern.strut),
-                    &pattern.cables.map(to),
-                )
+                members(node.position(), to(pattern.strut), &pattern.cables.map(to))
             }
             None if ratio == 1.0 => circuit(self.solid, &group)?,
             None => {
@@ -174,7 +170,7 @@ impl Polyhedron {
         };
         let mirror = DualPlane::at_distance(Vector3::new(1.0, 0.0, 0.0), 0.0);
         let hand = self.hand;
-        generate(&group.isometries(), &members)?.moved(|point| {
+        generate(group.isometries(), &members)?.moved(|point| {
             let sized = Point::from(point.position() * strut);
             match hand {
                 Hand::Right => sized,

@@ -78,6 +78,6 @@ impl Octahedron {
         let cables = neighbours.map(|to| GeneratingMember::cable(high, to));
         let [first, second] = cables;
         let strut = GeneratingMember::strut(low, high);
-        generate(&tetrahedral()?.isometries(), &[strut, first, second])
+        generate(tetrahedral()?.isometries(), &[strut, first, second])
     }
 }

@@ -122,7 +122,9 @@ fn scaled(structure: &Structure, forces: &DVector<f64>, signs: &DVector<f64>) ->
         .map(|(density, _)| *density)
         .collect();
     let mean = pressed.iter().sum::<f64>() / pressed.len().max(1) as f64;
-    let largest = densities.iter().fold(0.0, |so_far: f64, q| so_far.max(q.abs()));
+    let largest = densities
+        .iter()
+        .fold(0.0, |so_far: f64, q| so_far.max(q.abs()));
     // Struts that bear nothing in the mean leave no measure but the largest.
     let measure = if mean.abs() > largest * SLACK {
         -mean

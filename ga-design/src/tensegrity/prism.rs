@@ -90,9 +90,8 @@ impl Prism {
         let height = length("the height of a prism", self.height)?;
         let twist = finite("the twist", self.twist.unwrap_or_else(|| balanced_twist(n)))?;
         let [twist, step] = [twist, 2.0 * PI / n as f64].map(|angle| self.hand.sign() * angle);
-        let place = |angle: f64, height: f64| {
-            Point::at(radius * angle.cos(), radius * angle.sin(), height)
-        };
+        let place =
+            |angle: f64, height: f64| Point::at(radius * angle.cos(), radius * angle.sin(), height);
         // The half turn about the y axis exchanges base and top.
         let start = FRAC_PI_2 - twist / 2.0;
         let [base, top] = [-height / 2.0, height / 2.0];
@@ -102,7 +101,7 @@ impl Prism {
             GeneratingMember::cable(foot, place(start + twist, top)),
             GeneratingMember::cable(foot, place(start + step, base)),
         ];
-        generate(&dihedral(n)?.isometries(), &members)
+        generate(dihedral(n)?.isometries(), &members)
     }
 }
 

@@ -14,7 +14,12 @@ const RADII: [f64; 3] = [0.027, 0.0075, 0.034];
 const WARM: [[u8; 3]; 3] = [[214, 106, 44], [196, 78, 50], [226, 140, 56]];
 
 /// The colours of the classes of cables, which repeat.
-const COLD: [[u8; 3]; 4] = [[38, 104, 178], [122, 82, 164], [30, 148, 132], [92, 102, 118]];
+const COLD: [[u8; 3]; 4] = [
+    [38, 104, 178],
+    [122, 82, 164],
+    [30, 148, 132],
+    [92, 102, 118],
+];
 
 /// The shapes and materials that structures of one scene share.
 #[derive(Debug, Clone)]
@@ -61,7 +66,8 @@ impl Look {
     /// # Errors
     /// [`ExportError`] if the structure is too small or too far away to be drawn.
     pub fn draw(&self, scene: &mut Scene, structure: &Structure) -> Result<(), ExportError> {
-        let [strut_radius, cable_radius, ball_radius] = RADII.map(|radius| radius * size(structure));
+        let [strut_radius, cable_radius, ball_radius] =
+            RADII.map(|radius| radius * size(structure));
         let first_cable = first_cable_class(structure);
         for (number, member) in structure.struts().enumerate() {
             let material = repeated(&self.struts, member.class, self.ends);
@@ -140,7 +146,9 @@ fn repeated(materials: &[MaterialId], class: usize, other: MaterialId) -> Materi
 
 /// Where the rod of unit length and radius along z stands as this member.
 fn rod(structure: &Structure, member: &Member, radius: f64) -> Result<Placement, ExportError> {
-    let [from, to] = structure.ends(member).map(|end| DVec3::from(coordinates(end)));
+    let [from, to] = structure
+        .ends(member)
+        .map(|end| DVec3::from(coordinates(end)));
     let along = mesh::direction(to - from).unwrap_or(DVec3::Z);
     let [x, y, z, w] = DQuat::from_rotation_arc(DVec3::Z, along).to_array();
     Placement::at(from.to_array())?

@@ -66,8 +66,13 @@ pub(super) fn verdict(
     let stress = stress_matrix(structure, &prestress.densities);
     let mut eigenvalues: Vec<f64> = stress.symmetric_eigenvalues().iter().copied().collect();
     eigenvalues.sort_by(f64::total_cmp);
-    let largest = eigenvalues.iter().fold(0.0, |so_far: f64, e| so_far.max(e.abs()));
-    let nullity = eigenvalues.iter().filter(|e| e.abs() <= ZERO * largest).count();
+    let largest = eigenvalues
+        .iter()
+        .fold(0.0, |so_far: f64, e| so_far.max(e.abs()));
+    let nullity = eigenvalues
+        .iter()
+        .filter(|e| e.abs() <= ZERO * largest)
+        .count();
     let is_semidefinite = eigenvalues.iter().all(|e| *e >= -ZERO * largest);
     let stability = if !prestress.is_proper {
         Stability::Slack
@@ -112,7 +117,10 @@ fn spans_quadrics(structure: &Structure) -> Result<bool, TensegrityError> {
         let [from, to] = structure.ends(member);
         let along = (from.position() - to.position()) / structure.length(member);
         let [x, y, z] = along.to_array();
-        for (column, value) in [x * x, y * y, z * z, x * y, y * z, z * x].into_iter().enumerate() {
+        for (column, value) in [x * x, y * y, z * z, x * y, y * z, z * x]
+            .into_iter()
+            .enumerate()
+        {
             if let Some(entry) = products.get_mut((row, column)) {
                 *entry = value;
             }

@@ -1,9 +1,9 @@
 //! The tower: prisms that stand in each other without a strut touching another (figure 3.10), at the
 //! depth at which they are in balance.
 
+use super::equilibrium::decompose;
 use super::prism::{Hand, balanced_twist, checked_struts};
 use super::rotations::dihedral;
-use super::equilibrium::decompose;
 use super::structure::{MOST_NODES, finite, length};
 use super::{GeneratingMember, Role, Structure, TensegrityError, generate};
 use ga_cga::{DualPlane, Point, Vector3};
@@ -100,9 +100,9 @@ impl Tower {
         let stack = balanced(at)?.ok_or(TensegrityError::NoSelfStress {
             what: "at no depth are the stages of a tower of this twist in balance",
         })?;
-        let group = dihedral(n)?.isometries();
+        let group = dihedral(n)?;
         let mirror = DualPlane::at_distance(Vector3::new(0.0, 1.0, 0.0), 0.0);
-        generate(&group, &stack.members())?.moved(|point| {
+        generate(group.isometries(), &stack.members())?.moved(|point| {
             let [x, y, z] = point.position().to_array();
             let sized = Point::at(radius * x, radius * y, height * z);
             match self.hand {

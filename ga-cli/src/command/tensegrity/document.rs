@@ -127,7 +127,12 @@ impl Document {
         let mut rows = vec![headings.map(str::to_owned).to_vec()];
         let kinds = [
             (Role::Strut, &self.classes.struts, &self.lengths.struts, 0),
-            (Role::Cable, &self.classes.cables, &self.lengths.cables, self.struts.len()),
+            (
+                Role::Cable,
+                &self.classes.cables,
+                &self.lengths.cables,
+                self.struts.len(),
+            ),
         ];
         for (role, classes, lengths, offset) in kinds {
             let word = match role {

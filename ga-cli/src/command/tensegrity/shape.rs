@@ -181,7 +181,10 @@ impl Shape {
             Shape::Octahedron(_) => "expanded octahedron".to_owned(),
             Shape::Prism(asked) => format!("prism of {} struts", asked.struts),
             Shape::Tower(asked) => {
-                format!("tower of {} stages of {} struts", asked.stages, asked.struts)
+                format!(
+                    "tower of {} stages of {} struts",
+                    asked.stages, asked.struts
+                )
             }
             Shape::Icosahedron(_) => solid(Solid::Icosahedron),
             Shape::Rhombicuboctahedron(_) => solid(Solid::Rhombicuboctahedron),
@@ -237,5 +240,9 @@ fn angle(text: &str) -> Result<f64, String> {
     if !value.is_finite() {
         return Err("it must be finite".to_owned());
     }
-    Ok(if is_degrees { value.to_radians() } else { value })
+    Ok(if is_degrees {
+        value.to_radians()
+    } else {
+        value
+    })
 }
