@@ -202,7 +202,7 @@ impl Warp {
                 Weighting::SquaredDistance => square,
                 Weighting::Near { reach } => T::ONE / (T::ONE + square / T::from(reach * reach)),
             };
-            sum = sum + constant(*pair) * weight;
+            sum += constant(*pair) * weight;
         }
         (sum * T::from(-self.amount)).exp()
     }

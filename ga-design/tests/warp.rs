@@ -75,14 +75,14 @@ proptest! {
         for (pair, center) in pairs.into_iter().zip([center, -center]) {
             // (2.46): the inner product of two points is −½ of their squared distance.
             let square = Point::from(center).scalar_product(Point::from(start)) * -2.0;
-            generator = generator + pair * square;
+            generator += pair * square;
         }
         let generator = Even::from(generator * -amount);
         let mut term = Even::from(Dilator::identity());
         let mut sum = term;
         for step in 1..30 {
             term = term * generator * (1.0 / f64::from(step));
-            sum = sum + term;
+            sum += term;
         }
         let expected = Point::from(start).image_under(sum).map(place);
         let found = warp.apply(Point::from(start)).map(place);

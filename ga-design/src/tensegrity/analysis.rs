@@ -79,7 +79,7 @@ impl Analysis {
             largest = largest.max(pull.norm());
             for (end, sign) in member.ends.into_iter().zip([1.0, -1.0]) {
                 if let Some(sum) = sums.get_mut(end) {
-                    *sum = *sum + pull * sign;
+                    *sum += pull * sign;
                 }
             }
         }

@@ -2,7 +2,7 @@
 //! and pulls every cable, alike in all members of a class if it can be.
 
 use super::TensegrityError;
-use super::equilibrium::{Equilibrium, decompose, rank};
+use super::equilibrium::{Equilibrium, decompose};
 use super::structure::Structure;
 use nalgebra::{DMatrix, DVector};
 
@@ -11,6 +11,9 @@ const STEPS: usize = 4_000;
 
 /// A force below this part of the mean force of the struts is none.
 const SLACK: f64 = 1e-7;
+
+/// Forces in members of one class that differ by less, in a state of size one, are alike.
+const DIFFERING: f64 = 1e-8;
 
 /// A state of self-stress.
 #[derive(Debug, Clone)]
@@ -71,16 +74,16 @@ fn states_alike(
     }
     // An orthonormal basis of which nothing differs is what is wanted already; decomposing rounding
     // error would find a rank in it.
-    if differing.amax() < 1e-8 {
+    if differing.amax() < DIFFERING {
         return Ok(states.clone());
     }
-    // States are combinations of unit vectors, so that a part of size one is the measure.
+    // States are combinations of unit vectors: one is the measure of what differs in them.
     let count = states.ncols();
     let rows = differing.nrows().max(count);
     let parts = decompose(differing.resize_vertically(rows, 0.0), false)?;
-    let right = parts.v_t.as_ref().ok_or(TensegrityError::Undecided)?;
-    let rank = parts.singular_values.iter().filter(|&&v| v > 1e-8).count();
-    debug_assert!(rank >= self::rank(&parts) || parts.singular_values.max() < 1e-8);
+    let right = parts.v_t.ok_or(TensegrityError::Undecided)?;
+    let values = parts.singular_values.iter();
+    let rank = values.filter(|&&value| value > DIFFERING).count();
     Ok(states * right.rows(rank, count - rank).transpose())
 }
 

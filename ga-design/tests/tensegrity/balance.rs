@@ -125,8 +125,7 @@ fn prisms_of_both_hands_have_the_force_densities_of_the_literature() {
 }
 
 /// The angle from the lower to the upper end of a member that rises, about z, from −π to π.
-fn turn(structure: &Structure, ends: [Point; 2]) -> Option<f64> {
-    let _ = structure;
+fn turn(ends: [Point; 2]) -> Option<f64> {
     let [mut low, mut high] = ends.map(|end| end.position().to_array());
     if low[2] > high[2] {
         std::mem::swap(&mut low, &mut high);
@@ -150,7 +149,7 @@ fn the_side_cables_turn_by_the_balanced_angle_and_to_the_hand() {
             let twist = PI / 2.0 - PI / n as f64;
             assert!((balanced_twist(n) - twist).abs() < 1e-15);
             for member in structure.members() {
-                let Some(angle) = turn(&structure, structure.ends(member)) else {
+                let Some(angle) = turn(structure.ends(member)) else {
                     continue;
                 };
                 let expected = match member.role {

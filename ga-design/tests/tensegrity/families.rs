@@ -98,7 +98,7 @@ fn the_ratio_of_cables_is_the_one_asked_for_and_stays_stable() {
                 strut: 2.5,
                 ..Polyhedron::of(solid)
             };
-            let structure = polyhedron.structure().expect(solid.name());
+            let structure = polyhedron.structure().expect("a structure");
             let cables: Vec<_> = structure.cables().collect();
             let length = |index: usize| structure.length(cables[index]);
             let found = length(cables.len() - 1) / length(0);

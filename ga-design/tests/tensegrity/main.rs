@@ -17,8 +17,8 @@ fn unbalanced(structure: &Structure, densities: &[f64]) -> f64 {
     let mut sums = vec![zero; structure.nodes().len()];
     for (member, density) in structure.members().iter().zip(densities) {
         let [from, to] = structure.ends(member).map(|end| end.position());
-        sums[member.ends[0]] = sums[member.ends[0]] + (to - from) * *density;
-        sums[member.ends[1]] = sums[member.ends[1]] + (from - to) * *density;
+        sums[member.ends[0]] += (to - from) * *density;
+        sums[member.ends[1]] += (from - to) * *density;
     }
     sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
 }
