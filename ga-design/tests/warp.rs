@@ -215,7 +215,7 @@ fn what_is_no_warp_is_refused() {
         assert_eq!(refused, Err(WarpError::NoCenter { index: 1 }));
     }
     // A flat point: a point and infinity.
-    let flat = PointPair::from(Point::at(1.0, 2.0, 3.0) ^ DualSphere::infinity());
+    let flat = Point::at(1.0, 2.0, 3.0) ^ DualSphere::infinity();
     assert_eq!(
         Warp::new(vec![flat], weighting, 1.0),
         Err(WarpError::NoCenter { index: 0 })

@@ -217,10 +217,10 @@ fn help_names_the_shapes_and_what_json_holds() {
 #[test]
 fn bad_usage_exits_with_2_and_names_the_remedy() {
     let directory = directory();
-    let cases: [(&[&str], &str); 20] = [
+    let cases: [(&[&str], &str); 21] = [
         (&["prism", "--struts", "2"], "3..=60"),
         (&["prism", "--struts", "0"], "3..=60"),
-        (&["prism", "--struts", "-3"], "--struts"),
+        (&["prism", "--struts=-3"], "3..=60"),
         (&["prism", "--struts", "1000000"], "3..=60"),
         (&["prism", "--struts", "99999999999999999999"], "--struts"),
         (&["prism", "--struts", "NaN"], "--struts"),
@@ -230,6 +230,7 @@ fn bad_usage_exits_with_2_and_names_the_remedy() {
         (&["prism", "--twist", "NaN"], "finite"),
         (&["prism", "--twist", "about"], "30deg"),
         (&["prism", "--hand", "both"], "left"),
+        (&["tower", "--struts", "21"], "3..=20"),
         (&["tower", "--stages", "1"], "2..=40"),
         (&["tower", "--stages", "100000"], "2..=40"),
         (&["octahedron", "--ratio", "NaN"], "1e-12"),

@@ -11,6 +11,9 @@ use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+/// The most struts of a stage: with more of them the stages hardly stand in each other.
+pub const MOST_STAGE_STRUTS: usize = 20;
+
 /// The depths that are tried, as parts of the height of a stage.
 const DEPTHS: std::ops::Range<u32> = 1..180;
 
@@ -41,7 +44,7 @@ const LEAST: f64 = 1e-4;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tower {
-    /// The number of struts of a stage, three at least.
+    /// The number of struts of a stage, from three to [`MOST_STAGE_STRUTS`].
     pub struts: usize,
     /// The number of stages, two at least.
     pub stages: usize,
@@ -80,6 +83,13 @@ impl Tower {
     /// balance.
     pub fn structure(&self) -> Result<Structure, TensegrityError> {
         let n = checked_struts(self.struts)?;
+        if n > MOST_STAGE_STRUTS {
+            return Err(TensegrityError::TooMany {
+                what: "struts of a stage",
+                value: n,
+                most: MOST_STAGE_STRUTS,
+            });
+        }
         if self.stages < 2 {
             return Err(TensegrityError::FewStages { value: self.stages });
         }
@@ -98,7 +108,7 @@ impl Tower {
         let stages = self.stages;
         let at = |depth: f64| Stack::new(n, stages, twist, depth);
         let stack = balanced(at)?.ok_or(TensegrityError::NoSelfStress {
-            what: "at no depth are the stages of a tower of this twist in balance",
+            what: "at no depth are the stages of a tower of this twist in balance; a twist near 90° − 135°/n has such a depth",
         })?;
         let group = dihedral(n)?;
         let mirror = DualPlane::at_distance(Vector3::new(0.0, 1.0, 0.0), 0.0);

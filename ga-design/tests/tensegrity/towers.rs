@@ -1,7 +1,9 @@
 //! Towers: no strut touches another, and the depth that is found is one of balance.
 
 use crate::analysed;
-use ga_design::tensegrity::{Hand, Stability, Structure, TensegrityError, Tower};
+use ga_design::tensegrity::{
+    Hand, MOST_STAGE_STRUTS, Stability, Structure, TensegrityError, Tower,
+};
 
 fn tower(struts: usize, stages: usize, hand: Hand) -> Structure {
     let tower = Tower {
@@ -63,6 +65,16 @@ fn towers_of_many_sizes_are_super_stable_with_free_struts() {
                 Stability::SuperStable,
                 "{struts} {stages}"
             );
+        }
+    }
+}
+
+#[test]
+fn there_is_a_tower_of_every_number_of_struts() {
+    for struts in 3..=MOST_STAGE_STRUTS {
+        for stages in [2, 3] {
+            let structure = tower(struts, stages, Hand::Right);
+            assert_eq!(structure.struts().count(), struts * stages);
         }
     }
 }

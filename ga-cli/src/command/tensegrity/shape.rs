@@ -73,7 +73,7 @@ pub struct PrismArguments {
 #[derive(Debug, clap::Args)]
 pub struct TowerArguments {
     /// The number of struts of a stage.
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = value_parser!(u16).range(3..=60))]
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = value_parser!(u16).range(3..=20))]
     struts: u16,
     /// The number of stages; a tower has at most 240 nodes.
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = value_parser!(u16).range(2..=40))]
