@@ -4,9 +4,10 @@ use super::GalleryError;
 use super::palette::{BLUE, ORANGE, TEAL, YELLOW, solid};
 use crate::crystallography::PointGroup;
 use crate::export::{Scene, View};
-use crate::mesh::{self, Ends, Mesh};
+use crate::mesh::{self, Mesh};
 use crate::warp::{Warp, Weighting};
 use ga_cga::{Point, PointPair, Vector3};
+use std::f64::consts::TAU;
 
 /// What is warped.
 #[derive(Debug, Clone, Copy)]
@@ -134,13 +135,7 @@ impl Example {
     fn blank(&self) -> Result<Mesh, GalleryError> {
         Ok(match self.blank {
             Blank::Sphere => mesh::icosphere(6)?,
-            Blank::Cylinder(half) => {
-                let steps = -40..=40;
-                let line: Vec<_> = steps
-                    .map(|i| [0.0, 0.0, half * f64::from(i) / 40.0])
-                    .collect();
-                mesh::tube(&line, Ends::Capped, 1.0, 240)?
-            }
+            Blank::Cylinder(half) => cylinder(half)?,
         })
     }
 
@@ -159,6 +154,43 @@ impl Example {
             warped.triangles().to_vec(),
         )?)
     }
+}
+
+/// A cylinder of radius one from −half to half, whose flat ends are as fine as its side, so that they warp
+/// as smoothly.
+fn cylinder(half: f64) -> Result<Mesh, GalleryError> {
+    const AROUND: u32 = 240;
+    const STEPS: u32 = 48;
+    // Where each part of the profile begins and ends, as radius and height, and its normal.
+    let parts = [
+        ([0.0, -half], [1.0, -half], [0.0, -1.0]),
+        ([1.0, -half], [1.0, half], [1.0, 0.0]),
+        ([1.0, half], [0.0, half], [0.0, 1.0]),
+    ];
+    let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
+    for (from, to, normal) in parts {
+        for step in 0..=STEPS {
+            let part = f64::from(step) / f64::from(STEPS);
+            let [radius, height] = [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+            let below = positions.len() as u32;
+            for j in 0..AROUND {
+                let (sine, cosine) = (TAU * f64::from(j) / f64::from(AROUND)).sin_cos();
+                positions.push([radius * cosine, radius * sine, height]);
+                normals.push([normal[0] * cosine, normal[0] * sine, normal[1]]);
+                if step > 0 {
+                    let [here, next] = [j, (j + 1) % AROUND].map(|j| below - AROUND + j);
+                    // On the axis one of the two triangles of a step has no width.
+                    if step > 1 || from[0] > 0.0 {
+                        triangles.push([here, next, next + AROUND]);
+                    }
+                    if radius > 0.0 {
+                        triangles.push([here, next + AROUND, here + AROUND]);
+                    }
+                }
+            }
+        }
+    }
+    Ok(Mesh::new(positions, normals, triangles)?)
 }
 
 pub(super) fn scene() -> Result<Scene, GalleryError> {
@@ -187,6 +219,24 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn the_cylinder_is_closed_and_looks_outwards() -> Result<(), GalleryError> {
+        let cylinder = cylinder(0.7)?;
+        let mut volume = 0.0;
+        for triangle in cylinder.triangles() {
+            let [a, b, c] = triangle.map(|i| DVec3::from(cylinder.positions()[i as usize]));
+            let normal = DVec3::from(cylinder.normals()[triangle[0] as usize]);
+            let face = (b - a).cross(c - a);
+            assert!(face.dot(normal) > 0.0);
+            volume += a.dot(b.cross(c)) / 6.0;
+        }
+        // The prism of 240 sides that is inscribed in it.
+        let expected = 1.4 * 120.0 * (TAU / 240.0).sin();
+        assert!((volume - expected).abs() < 1e-9, "{volume}");
+        Ok(())
+    }
 
     #[test]
     fn the_warps_commute_with_their_groups() -> Result<(), GalleryError> {
