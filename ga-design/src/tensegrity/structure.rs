@@ -71,10 +71,6 @@ impl Structure {
         };
         count("nodes", nodes.len(), MOST_NODES)?;
         count("members", members.len(), MOST_MEMBERS)?;
-        let struts = members.iter().filter(|m| m.role == Role::Strut).count();
-        if struts < 3 {
-            return Err(TensegrityError::FewStruts { value: struts });
-        }
         for point in &nodes {
             for value in point.position().to_array() {
                 finite("a coordinate of a node", value)?;
@@ -93,6 +89,10 @@ impl Structure {
             if !apart {
                 return Err(TensegrityError::NoLength { ends: member.ends });
             }
+        }
+        let struts = members.iter().filter(|m| m.role == Role::Strut).count();
+        if struts < 3 {
+            return Err(TensegrityError::FewStruts { value: struts });
         }
         let mut members = members;
         members.sort_by_key(|member| member.role);
