@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn prism_and_tower_stand_on_one_floor_and_do_not_meet() -> Result<(), GalleryError> {
+    fn prism_and_tower_stand_on_one_floor() -> Result<(), GalleryError> {
         let scene = tower()?;
         let balls = scene
             .nodes()

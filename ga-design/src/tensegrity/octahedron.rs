@@ -9,8 +9,7 @@ use ga_cga::Point;
 /// The ratio of cable to strut in balance: √(3/8), the least that there can be.
 pub const BALANCED_RATIO: f64 = 0.612_372_435_695_794_5;
 
-/// At this ratio the struts reach the corners of a cuboctahedron, and those that meet the same axis
-/// would have to pass through each other to go on.
+/// The ratio at which the nodes are those of a cuboctahedron, where the variations shown here end.
 const LARGEST_RATIO: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// How far a printed ratio may fall short of the least one.
