@@ -134,7 +134,7 @@ impl Example {
 
     fn blank(&self) -> Result<Mesh, GalleryError> {
         Ok(match self.blank {
-            Blank::Sphere => mesh::icosphere(6)?,
+            Blank::Sphere => mesh::icosphere(5)?,
             Blank::Cylinder(half) => cylinder(half)?,
         })
     }
@@ -159,8 +159,8 @@ impl Example {
 /// A cylinder of radius one from −half to half, whose flat ends are as fine as its side, so that they warp
 /// as smoothly.
 fn cylinder(half: f64) -> Result<Mesh, GalleryError> {
-    const AROUND: u32 = 240;
-    const STEPS: u32 = 48;
+    const AROUND: u32 = 144;
+    const STEPS: u32 = 32;
     // Where each part of the profile begins and ends, as radius and height, and its normal.
     let parts = [
         ([0.0, -half], [1.0, -half], [0.0, -1.0]),
@@ -232,8 +232,8 @@ mod tests {
             assert!(face.dot(normal) > 0.0);
             volume += a.dot(b.cross(c)) / 6.0;
         }
-        // The prism of 240 sides that is inscribed in it.
-        let expected = 1.4 * 120.0 * (TAU / 240.0).sin();
+        // The prism of 144 sides that is inscribed in it.
+        let expected = 1.4 * 72.0 * (TAU / 144.0).sin();
         assert!((volume - expected).abs() < 1e-9, "{volume}");
         Ok(())
     }
