@@ -130,8 +130,11 @@ fn points_on_elements_and_what_is_no_group_are_refused() {
         );
     }
     let quarter: Operation = "-y,x,z".parse().expect("a rotation");
-    let error =
-        FundamentalDomain::of(&[Operation::IDENTITY, quarter], &cell).expect_err("no group");
+    // Any two points per cell are images of each other in the middle between them; three are not.
+    let third: Operation = "z,x,y".parse().expect("a rotation");
+    let three = [Operation::IDENTITY, quarter, third];
+    let seed = [0.1, 0.25, 0.37];
+    let error = FundamentalDomain::about(&three, &cell, seed).expect_err("no group");
     assert!(
         matches!(error, FundamentalDomainError::NotAGroup { .. }),
         "{error}"
