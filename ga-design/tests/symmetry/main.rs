@@ -1,0 +1,6 @@
+//! Whether roots, point groups, lattices and space groups are those of the literature.
+
+mod point_groups;
+mod point_symbols;
+mod roots;
+mod versors;
