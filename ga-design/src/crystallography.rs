@@ -66,7 +66,7 @@ pub use crystal::{Crystal, Measured, Site};
 pub use elements::{Element};
 pub use fundamental_domain::{DomainFace, FundamentalDomain, FundamentalDomainError};
 pub use hall::{HallError};
-pub use lattice::{CrystalSystem};
+pub use lattice::{BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem};
 pub use motif::{Coincidence, Curve, Labelled, Motif, MotifCopy, MotifError, Pattern, Strut};
 pub use motion_element::{MotionElement};
 pub use operation::{Operation, OperationError};

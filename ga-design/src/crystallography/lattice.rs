@@ -1,8 +1,18 @@
 //! Which lattices crystals have: seven systems, fourteen Bravais lattices, their free cell
 //! parameters and constraints, and edge vectors from roots (Table 3.4).
 
+mod bravais;
+mod centring;
+mod edges;
+mod shape;
 mod system;
 
+pub use bravais::BravaisLattice;
+pub use centring::Centring;
+pub use edges::{EdgeError, EdgeParameters, edge_vectors};
+pub use shape::{
+    ANGLE_TOLERANCE, Axis, CellParameters, CellShape, ConstraintError, EDGE_TOLERANCE,
+};
 pub use system::{CrystalSystem, UnknownSystem};
 
 use ga_cga::Vector3;
