@@ -33,6 +33,8 @@ pub struct SpaceGroup {
     pub standard: bool,
     /// Other spellings: full symbols, and the symbols with the glide `e`.
     also: Vec<&'static str>,
+    /// The coordinates of this setting in terms of those of the standard one: `x,y,z+1/4`.
+    pub change_of_basis: &'static str,
 }
 
 /// A symbol that names no known setting.
@@ -210,6 +212,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         .split("; ")
         .filter(|name| !name.is_empty())
         .collect();
+    let change_of_basis = fields.next()?;
     Some(SpaceGroup {
         number,
         symbol,
@@ -218,6 +221,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         point_group,
         standard,
         also,
+        change_of_basis,
     })
 }
 
