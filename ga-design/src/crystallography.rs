@@ -49,8 +49,8 @@ pub mod generators;
 pub mod hall;
 pub mod lattice;
 pub mod motif;
-pub mod motion_element;
 pub mod operation;
+pub mod overlay;
 pub mod placement;
 pub mod point_group;
 pub mod roots;
@@ -64,18 +64,24 @@ pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
-pub use elements::{Element};
+pub use elements::Element;
 pub use fundamental_domain::{DomainFace, FundamentalDomain, FundamentalDomainError};
-pub use generators::{DirectionError, ExpressionError, Generation, GenerationError, GeneratorExpression, GeometricSymbol, GeometricSymbolError, RootDirection, SpaceGroupGenerators};
-pub use hall::{HallError};
-pub use lattice::{BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem};
+pub use generators::{
+    DirectionError, ExpressionError, Generation, GenerationError, GeneratorExpression,
+    GeometricSymbol, GeometricSymbolError, RootDirection, SpaceGroupGenerators,
+};
+pub use hall::HallError;
+pub use lattice::{
+    BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem,
+};
 pub use motif::{Coincidence, Curve, Labelled, Motif, MotifCopy, MotifError, Pattern, Strut};
-pub use motion_element::{MotionElement};
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
-pub use point_group::{Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word};
+pub use point_group::{
+    Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word,
+};
 pub use roots::{Roots, RootsError};
 pub use symbols::{SpaceGroup, UnknownSymbol};
-pub use symmetry_elements::{SymmetryElements};
+pub use symmetry_elements::SymmetryElements;
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use ga_cga::{DualLine, DualPlane, Line, Point, Vector3};
+use ga_cga::{DualLine, DualPlane, Line, Motor, Point, Vector3};
 use ga_design::crystallography::symmetry_elements::LatticeLine;
 use ga_design::crystallography::{
-    Cell, CellRange, Isometry, MotionElement, Placement, SpaceGroup, SymmetryElements,
+    Cell, CellRange, Isometry, Motion, Placement, SpaceGroup, SymmetryElements,
 };
 
 /// A cell that a group of this number can have in its standard setting.
@@ -71,17 +71,26 @@ fn versors_have_the_elements_of_their_operations_in_all_groups() {
         for (index, placement) in placements.iter().enumerate() {
             let isometry = Isometry::from(placement);
             let name = format!("{number}: {}", operations[index]);
-            match isometry.element().unwrap_or_else(|| panic!("{name}")) {
-                MotionElement::Translation(by) => {
+            match isometry.motion() {
+                Motion::Identity => assert!(operations[index].is_translation(), "{name}"),
+                Motion::Translation { vector: by } => {
                     assert!(operations[index].is_translation(), "{name}");
                     let by = by.to_array();
                     assert!((0..3).all(|i| (by[i] - placement.translation[i]).abs() < 1e-9));
                 }
-                MotionElement::Screw {
-                    axis,
+                Motion::Screw {
                     angle,
-                    advance,
+                    rise: advance,
+                    ..
                 } => {
+                    let axis = isometry.motion().axis().expect("a screw has one");
+                    // The line in the logarithm of the motor is the same.
+                    let motor = isometry.motor;
+                    let motor = if motor.s < 0.0 { -motor } else { motor };
+                    let generator: DualLine = motor.log().expect("at most half a turn");
+                    let line = Motor::from(-generator).renormalized().expect("a line");
+                    let line: DualLine = line.narrow(1e-9).expect("a line");
+                    assert!(same(&line.to_array(), &axis.to_array()), "{name}");
                     assert!(
                         same(&moved_line(axis, &isometry).to_array(), &axis.to_array()),
                         "{name}"
@@ -106,7 +115,10 @@ fn versors_have_the_elements_of_their_operations_in_all_groups() {
                         "{name} {listed}: {advance}"
                     );
                 }
-                MotionElement::Glide { plane, glide } => {
+                Motion::Glide {
+                    plane,
+                    vector: glide,
+                } => {
                     assert!(same(
                         &moved_plane(plane, &isometry).to_array(),
                         &plane.to_array()
@@ -127,7 +139,12 @@ fn versors_have_the_elements_of_their_operations_in_all_groups() {
                     });
                     assert!(listed, "{name}");
                 }
-                MotionElement::Rotoinversion { axis, angle, point } => {
+                Motion::RotoInversion {
+                    center: point,
+                    axis: Some(_),
+                    angle,
+                } => {
+                    let axis = isometry.motion().axis().expect("a rotoinversion has one");
                     assert!(
                         same(&moved_line(axis, &isometry).to_array(), &axis.to_array()),
                         "{name}"
@@ -143,7 +160,11 @@ fn versors_have_the_elements_of_their_operations_in_all_groups() {
                     });
                     assert!(listed, "{name}");
                 }
-                MotionElement::Inversion(point) => {
+                Motion::RotoInversion {
+                    center: point,
+                    axis: None,
+                    ..
+                } => {
                     assert!(isometry.apply(point).distance(point) < 1e-9, "{name}");
                     let mut centres = found.centres().iter();
                     assert!(centres.any(|centre| {
@@ -247,18 +268,4 @@ fn placed_elements_lie_on_their_conformal_elements_and_in_the_block() {
     };
     let none = elements.within(backwards).expect("none");
     assert!(none.axes.is_empty() && none.planes.is_empty() && none.centres.is_empty());
-}
-
-#[test]
-fn motions_that_are_none_have_no_element() {
-    let nothing = Isometry {
-        mirror: None,
-        motor: ga_cga::Motor::default(),
-    };
-    assert_eq!(nothing.element(), None);
-    let broken = Isometry {
-        mirror: Some(DualPlane::new(0.0, 0.0, 0.0, f64::NAN)),
-        motor: ga_cga::Motor::identity(),
-    };
-    assert_eq!(broken.element(), None);
 }

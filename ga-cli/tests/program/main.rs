@@ -5,3 +5,4 @@ mod expand;
 mod failures;
 mod gallery;
 mod run;
+mod symmetry;

@@ -3,13 +3,14 @@
 //!
 //! The bisector of two points is their difference: `q − p` is a dual plane of the conformal model, and its
 //! product with a point tells on which side that is. The polyhedron is a large cube cut by the bisectors of
-//! the seed and its images, nearest first, until no image is near enough to cut any more.
+//! the seed and its images, until no corner is nearer to an image than to the seed; that it has its share of the
+//! cell's volume then proves that nothing is missing.
 
 use ga_cga::{DualPlane, Point, Vector3};
 use ga_core::convert::pick;
 
 use super::placement::{PlacementError, SymmetricCell};
-use super::{Cell, Operation};
+use super::{Cell, Operation, close};
 use crate::mesh::{Mesh, MeshError};
 
 mod polyhedron;
@@ -19,8 +20,14 @@ use polyhedron::Polyhedron;
 /// How many points are tried for the seed.
 const CANDIDATES: u32 = 64;
 
-/// The most images that may be near enough to be looked at.
-const MOST_IMAGES: f64 = 300_000.0;
+/// How many cells around a corner are searched before the cell counts as too oblique.
+const FARTHEST_CELL: i32 = 4;
+
+/// How often corners are searched: each time those that are left are nearer to the seed.
+const MOST_ROUNDS: u32 = 64;
+
+/// An image is nearer to a corner than the seed if it is so by more than this part.
+const ROUNDING: f64 = 1e-10;
 
 /// Nearer than this part of the shortest edge an image coincides with the seed.
 const COINCIDENT: f64 = 1e-6;
@@ -118,40 +125,35 @@ impl FundamentalDomain {
         if !is_general {
             return Err(FundamentalDomainError::Special(seed));
         }
+        let images = Images {
+            operations,
+            frame: &frame,
+            seed,
+        };
         let centre = point(frame.cartesian(seed));
         let mut domain = Polyhedron::cube(centre, edges.iter().sum());
-        let bisect = |domain: &mut Polyhedron<Source>, images: Vec<(f64, Source)>| {
-            for (distance, source) in images {
-                if distance <= 2.0 * domain.radius() {
-                    let image = image(operations, seed, source);
-                    let between: DualPlane = pick(point(frame.cartesian(image)) - centre);
-                    domain.cut(between / between.weight(), source);
-                }
+        for (distance, source) in images.nearby() {
+            if distance <= 2.0 * domain.radius() {
+                images.bisect(&mut domain, source);
             }
-        };
-        let near = |reach: [i32; 3]| nearby(operations, &frame, seed, reach);
-        bisect(&mut domain, near([1; 3]));
-        // What is left now is bounded by the lattice, so that images beyond twice its size do not cut.
-        let faces = cell.face_distances();
-        let reach = faces.map(|face| (2.0 * domain.radius() / face).ceil() + 1.0);
-        let count: f64 = reach.iter().map(|n| 2.0 * n + 1.0).product();
-        if count * operations.len() as f64 > MOST_IMAGES {
-            return Err(FundamentalDomainError::Oblique);
         }
-        bisect(&mut domain, near(reach.map(|n| n as i32)));
-        Self::checked(centre, domain, share(&frame, operations))
-    }
-
-    fn checked(
-        seed: Point,
-        domain: Polyhedron<Source>,
-        share: f64,
-    ) -> Result<Self, FundamentalDomainError> {
+        let share = share(&frame, operations);
+        for reach in 1..=FARTHEST_CELL {
+            images.refine(&mut domain, reach);
+            // Too few cuts leave too much: the right volume proves that none is missing.
+            if domain.volume() < share * (1.0 + MISFIT) {
+                break;
+            }
+        }
         let volume = domain.volume();
         let part = volume / share;
         let fits = (part - 1.0).abs() < MISFIT;
         if !fits {
-            return Err(FundamentalDomainError::NotAGroup { part });
+            let is_group = close(operations).is_ok_and(|all| all.len() == operations.len());
+            return Err(match is_group {
+                true => FundamentalDomainError::Oblique,
+                false => FundamentalDomainError::NotAGroup { part },
+            });
         }
         let faces = domain.into_faces().into_iter();
         let faces = faces.filter_map(|(plane, corners, source)| {
@@ -164,7 +166,7 @@ impl FundamentalDomain {
             })
         });
         Ok(Self {
-            seed,
+            seed: centre,
             faces: faces.collect(),
             volume,
         })
@@ -235,14 +237,6 @@ fn candidate(number: u32) -> [f64; 3] {
         .map(|step| (step * f64::from(number)).fract())
 }
 
-fn image(operations: &[Operation], seed: [f64; 3], source: Source) -> [f64; 3] {
-    let Some((operation, cell)) = source else {
-        return seed;
-    };
-    let image = operations.get(operation).map_or(seed, |op| op.apply(seed));
-    [0, 1, 2].map(|i| image[i] + f64::from(cell[i]))
-}
-
 /// The distance to an image by the shortest way round each edge.
 fn nearest_image(operations: &[Operation], frame: &SymmetricCell, seed: [f64; 3]) -> f64 {
     let others = operations.iter().filter(|op| **op != Operation::IDENTITY);
@@ -257,31 +251,88 @@ fn nearest_image(operations: &[Operation], frame: &SymmetricCell, seed: [f64; 3]
     })
 }
 
-/// The images in the cells up to `reach` around the seed, nearest first, without the seed itself.
-fn nearby(
-    operations: &[Operation],
-    frame: &SymmetricCell,
+/// The images of a seed under a group.
+struct Images<'a> {
+    operations: &'a [Operation],
+    frame: &'a SymmetricCell,
     seed: [f64; 3],
-    reach: [i32; 3],
-) -> Vec<(f64, Source)> {
-    let mut found = Vec::new();
-    for (index, operation) in operations.iter().enumerate() {
-        let there = operation.apply(seed);
-        let wrap = [0, 1, 2].map(|i| (seed[i] - there[i]).round() as i32);
-        for i in -reach[0]..=reach[0] {
-            for j in -reach[1]..=reach[1] {
-                for k in -reach[2]..=reach[2] {
-                    let cell = [wrap[0] + i, wrap[1] + j, wrap[2] + k];
-                    if *operation == Operation::IDENTITY && cell == [0; 3] {
-                        continue;
-                    }
-                    let step = [0, 1, 2].map(|n| there[n] + f64::from(cell[n]) - seed[n]);
-                    let distance = Vector3::from(frame.cartesian(step)).norm();
-                    found.push((distance, Some((index, cell))));
+}
+
+impl Images<'_> {
+    /// Those in the cells next to the seed, nearest first, without the seed itself.
+    fn nearby(&self) -> Vec<(f64, Source)> {
+        let mut found = Vec::new();
+        for (index, operation) in self.operations.iter().enumerate() {
+            let image = operation.apply(self.seed);
+            for cell in around(self.seed, image, 1) {
+                if *operation != Operation::IDENTITY || cell != [0; 3] {
+                    found.push((self.distance(self.seed, image, cell), Some((index, cell))));
                 }
             }
         }
+        found.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        found
     }
-    found.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-    found
+
+    /// Cuts off all corners that are nearer to another image than to the seed, until there are none; images
+    /// are looked for up to so many cells from each corner.
+    fn refine(&self, domain: &mut Polyhedron<Source>, reach: i32) {
+        for _ in 0..MOST_ROUNDS {
+            let mut nearer: Vec<Source> = Vec::new();
+            for corner in domain.corners() {
+                let at = self.frame.fractional(corner.position().to_array());
+                let own = self.distance(at, self.seed, [0; 3]);
+                let mut least = own * (1.0 - ROUNDING);
+                let mut nearest = None;
+                for (index, operation) in self.operations.iter().enumerate() {
+                    let image = operation.apply(self.seed);
+                    for cell in around(at, image, reach) {
+                        let distance = self.distance(at, image, cell);
+                        if distance < least {
+                            least = distance;
+                            nearest = Some((index, cell));
+                        }
+                    }
+                }
+                if nearest.is_some() && !nearer.contains(&nearest) {
+                    nearer.push(nearest);
+                }
+            }
+            if nearer.is_empty() {
+                return;
+            }
+            for source in nearer {
+                self.bisect(domain, source);
+            }
+        }
+    }
+
+    /// Cuts off what is nearer to an image than to the seed.
+    fn bisect(&self, domain: &mut Polyhedron<Source>, source: Source) {
+        let Some((operation, cell)) = source else {
+            return;
+        };
+        let Some(operation) = self.operations.get(operation) else {
+            return;
+        };
+        let image = operation.apply(self.seed);
+        let image = [0, 1, 2].map(|i| image[i] + f64::from(cell[i]));
+        let [there, here] = [image, self.seed].map(|x| point(self.frame.cartesian(x)));
+        let between: DualPlane = pick(there - here);
+        domain.cut(between / between.weight(), source);
+    }
+
+    /// The distance from a place to an image in another cell.
+    fn distance(&self, from: [f64; 3], image: [f64; 3], cell: [i32; 3]) -> f64 {
+        let step = [0, 1, 2].map(|i| image[i] + f64::from(cell[i]) - from[i]);
+        Vector3::from(self.frame.cartesian(step)).norm()
+    }
+}
+
+/// The cells that bring an image near a place, up to `reach` more in every direction.
+fn around(place: [f64; 3], image: [f64; 3], reach: i32) -> impl Iterator<Item = [i32; 3]> {
+    // Places are corners of a domain, within a few cells of the unit cell.
+    let wrap = [0, 1, 2].map(|i| (place[i] - image[i]).round().clamp(-1e6, 1e6) as i32);
+    let span = move |i: usize| wrap[i] - reach..=wrap[i] + reach;
+    span(0).flat_map(move |i| span(1).flat_map(move |j| span(2).map(move |k| [i, j, k])))
 }

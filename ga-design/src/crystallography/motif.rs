@@ -1,7 +1,7 @@
 //! How any motif becomes a pattern: carried by every isometry of a group into every cell of a block, and
 //! coincident copies merged.
 //!
-//! What can be moved is a [`Motif`]: every multivector that the algebra's versors keep as it is (points,
+//! What can be repeated is a [`Motif`]: every multivector that is [`Movable`](super::Movable) (points,
 //! lines, circles, spheres, point pairs, motors, …), and made of points [`Curve`], [`Strut`],
 //! [`Labelled`] shapes such as atoms, and meshes. Merging costs about the same for every copy, however many
 //! there are: copies are compared within bins of a fingerprint only.

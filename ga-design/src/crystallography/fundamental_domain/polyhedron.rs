@@ -53,17 +53,23 @@ impl<S: Default> Polyhedron<S> {
 impl<S> Polyhedron<S> {
     /// The distance of the farthest corner from the centre.
     pub(super) fn radius(&self) -> f64 {
-        let corners = self.faces.iter().flat_map(|face| &face.corners);
-        let distances = corners.map(|corner| corner.distance(self.centre));
+        let distances = self.corners().map(|corner| corner.distance(self.centre));
         distances.fold(0.0, f64::max)
+    }
+
+    /// The corners, each once for every face that it belongs to.
+    pub(super) fn corners(&self) -> impl Iterator<Item = Point> + '_ {
+        self.faces
+            .iter()
+            .flat_map(|face| face.corners.iter().copied())
     }
 
     /// Cuts off what is on the side of a unit plane that its normal points to.
     pub(super) fn cut(&mut self, plane: DualPlane, source: S) {
         let tolerance = ON_PLANE * self.size;
         let height = |corner: &Point| (plane | *corner).s;
-        let corners = self.faces.iter().flat_map(|face| &face.corners);
-        if corners.map(height).fold(f64::NEG_INFINITY, f64::max) <= tolerance {
+        let heights = self.corners().map(|corner| height(&corner));
+        if heights.fold(f64::NEG_INFINITY, f64::max) <= tolerance {
             return;
         }
         let mut rim: Vec<Point> = Vec::new();

@@ -21,10 +21,7 @@ pub fn add_instances(
     isometries: impl IntoIterator<Item = Isometry>,
 ) -> Result<(), ExportError> {
     let across = DualPlane::at_distance(Vector3::new(1.0, 0.0, 0.0), 0.0);
-    let reflection = Isometry {
-        mirror: Some(across),
-        motor: Motor::identity(),
-    };
+    let reflection = Isometry::from(across);
     let mut shapes = [None; 2];
     for (number, isometry) in isometries.into_iter().enumerate() {
         // The image of the mesh is that of its mirror image after the mirror is undone.

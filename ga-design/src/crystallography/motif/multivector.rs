@@ -5,12 +5,10 @@
 //! from, which have one n_∞ less or one n_o more. So blades are sorted by that count: n_o … −1, Euclidean
 //! and E … 0, n_∞ … +1.
 
-use ga_cga::{DualPlane, Motor};
 use ga_core::Element;
-use ga_core::ops::Apply;
 
 use super::{Coincidence, Fingerprint, Motif, MotifError};
-use crate::crystallography::Isometry;
+use crate::crystallography::{Isometry, Movable};
 
 /// The basis vectors n_o and n_∞ in the order of the conformal algebra: e1, e2, e3, no, ni.
 const NO: u32 = 3;
@@ -18,16 +16,10 @@ const NI: u32 = 4;
 
 impl<X> Motif for X
 where
-    X: Element<Number = f64>,
-    DualPlane: Apply<X, Output = X>,
-    Motor: Apply<X, Output = X>,
+    X: Element<Number = f64> + Movable,
 {
     fn moved(&self, by: &Isometry) -> Result<Self, MotifError> {
-        let reflected = match by.mirror {
-            Some(mirror) => mirror.apply(*self),
-            None => *self,
-        };
-        Ok(by.motor.apply(reflected))
+        Ok(self.moved_by(by))
     }
 
     fn coincides(&self, other: &Self, when: &Coincidence) -> bool {

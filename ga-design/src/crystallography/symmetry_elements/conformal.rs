@@ -5,7 +5,48 @@ use ga_cga::{DualLine, DualPlane, Line, Point, Vector3};
 
 use super::extent::float;
 use super::{Axis, InversionCentre, LatticeLine, LatticePlane, ReflectionPlane};
-use crate::crystallography::Cell;
+use crate::crystallography::{Cell, Motion};
+
+impl Motion {
+    /// The axis of a screw, rotation or rotoinversion as the dual line of weight 1 that generates it,
+    /// anticlockwise seen against its direction; `None` for other motions.
+    ///
+    /// It is the line in the logarithm of the motor, −½ (θ λ + …), whose other part, the pitch, commutes
+    /// with it.
+    ///
+    /// ```
+    /// use ga_cga::{DualLine, Motor, Point, Vector3};
+    /// use ga_design::crystallography::Isometry;
+    ///
+    /// let axis = DualLine::along(Point::at(1.0, 2.0, 0.0), Vector3::new(0.0, 0.0, 1.0));
+    /// let screw = Isometry::from(Motor::screw(axis, 1.0, 0.5).unwrap());
+    /// let found = screw.motion().axis().unwrap();
+    /// assert!((found - axis).to_array().iter().all(|part| part.abs() < 1e-12));
+    /// ```
+    pub fn axis(&self) -> Option<DualLine> {
+        match *self {
+            Motion::Screw { through, axis, .. } => Some(DualLine::along(through, axis)),
+            Motion::RotoInversion { center, axis, .. } => Some(DualLine::along(center, axis?)),
+            Motion::Identity | Motion::Translation { .. } | Motion::Glide { .. } => None,
+        }
+    }
+
+    /// The plane of a reflection or glide, as the versor that reflects in it; `None` for other motions.
+    pub fn plane(&self) -> Option<DualPlane> {
+        match *self {
+            Motion::Glide { plane, .. } => Some(plane),
+            _ => None,
+        }
+    }
+
+    /// The point that an inversion or rotoinversion leaves in place; `None` for other motions.
+    pub fn center(&self) -> Option<Point> {
+        match *self {
+            Motion::RotoInversion { center, .. } => Some(center),
+            _ => None,
+        }
+    }
+}
 
 impl LatticeLine {
     /// The line in the Cartesian frame of a cell (ångström), of weight 1; the translate of it that goes
