@@ -3,6 +3,7 @@
 //! A scene is a function of its own in a file of its own: it makes a figure with the algebra, and a
 //! test beside it holds what must be true of that figure. Adding one is a row of [`entries`].
 
+mod axial_glides;
 mod bonds;
 mod camera_roll;
 mod conformal_motions;
@@ -10,19 +11,32 @@ mod covariance;
 mod crystals;
 mod folded_vertex;
 mod helix;
+mod hexagonal_screws;
+mod horn;
 mod kaleidoscope;
+mod lattice_of_horns;
 mod meets;
 mod miura;
 mod motif;
 mod motions;
 mod palette;
+mod point_groups;
 mod reflections;
+mod screw_arcs;
+mod screws;
 mod spans;
+mod special_position;
 mod spiral;
 mod stereographic;
+mod tetragonal;
 
 use crate::crystallography::cif::CifError;
-use crate::crystallography::{CellRangeError, ExpansionError};
+use crate::crystallography::overlay::OverlayError;
+use crate::crystallography::symmetry_elements::{NoElement, TooManyElements};
+use crate::crystallography::{
+    CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError, HallError,
+    MotifError, PointSymbolError,
+};
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
 use crate::mesh::MeshError;
@@ -69,6 +83,27 @@ pub enum GalleryError {
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),
+    /// A cell is none.
+    #[error(transparent)]
+    Cell(#[from] CellError),
+    /// A symbol of a point group is none.
+    #[error(transparent)]
+    PointGroup(#[from] PointSymbolError),
+    /// A space group could not be read.
+    #[error(transparent)]
+    Hall(#[from] HallError),
+    /// A space group did not grow from its roots.
+    #[error(transparent)]
+    Generation(#[from] GenerationError),
+    /// A pattern could not be made.
+    #[error(transparent)]
+    Motif(#[from] MotifError),
+    /// A fundamental domain could not be found.
+    #[error(transparent)]
+    Domain(#[from] FundamentalDomainError),
+    /// Symmetry elements could not be found or drawn.
+    #[error(transparent)]
+    Overlay(#[from] OverlayError),
     /// A shape could not be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -83,6 +118,18 @@ pub enum GalleryError {
     },
 }
 
+impl From<NoElement> for GalleryError {
+    fn from(error: NoElement) -> Self {
+        Self::Overlay(error.into())
+    }
+}
+
+impl From<TooManyElements> for GalleryError {
+    fn from(error: TooManyElements) -> Self {
+        Self::Overlay(error.into())
+    }
+}
+
 /// The scenes, in the order in which the gallery shows them.
 #[must_use]
 pub const fn entries() -> &'static [Entry] {
@@ -95,16 +142,23 @@ pub const fn entries() -> &'static [Entry] {
             entry("covariance", covariance::scene),
             entry("kaleidoscope", kaleidoscope::scene),
             entry("meets", meets::scene),
+            entry("point-groups", point_groups::scene),
             entry("folded-vertex", folded_vertex::scene),
             entry("diamond", crystals::diamond),
             entry("two-reflections", reflections::scene),
             entry("calcite", crystals::calcite),
+            entry("special-position", special_position::scene),
+            entry("axial-glides", axial_glides::scene),
             entry("tetrahedral-helix", helix::scene),
             entry("rutile", crystals::rutile),
+            entry("tetragonal", tetragonal::scene),
+            entry("screws", screws::scene),
             entry("motions", motions::scene),
             entry("conformal-motions", conformal_motions::scene),
             entry("miura", miura::scene),
             entry("halite", crystals::halite),
+            entry("screw-arcs", screw_arcs::scene),
+            entry("hexagonal-screws", hexagonal_screws::scene),
             entry("stereographic", stereographic::scene),
             entry("camera-roll", camera_roll::scene),
             entry("spiral", spiral::scene),

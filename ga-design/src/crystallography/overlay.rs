@@ -98,26 +98,44 @@ pub fn add_symmetry_elements(
     range: CellRange,
     shown: Shown,
 ) -> Result<(), OverlayError> {
-    let placed = elements.within(range)?;
+    let mut placed = elements.within(range)?;
+    if !shown.axes {
+        placed.axes.clear();
+    }
+    if !shown.planes {
+        placed.planes.clear();
+    }
+    if !shown.centres {
+        placed.centres.clear();
+    }
+    add_placed_elements(scene, &placed, cell, Vector3::default())
+}
+
+/// Adds elements that [`SymmetryElements::within`] found in a block of cells, or a choice of them, to a
+/// scene, with the corner of the block's first cell moved to `origin` (ångström).
+///
+/// # Errors
+/// [`OverlayError`] if the scene cannot hold them.
+pub fn add_placed_elements(
+    scene: &mut Scene,
+    placed: &PlacedElements,
+    cell: &Cell,
+    origin: Vector3,
+) -> Result<(), OverlayError> {
     let mut drawing = Drawing {
         scene,
         cell,
+        origin,
         rod: ROD * cell.volume().cbrt(),
         materials: Vec::new(),
         shapes: Vec::new(),
     };
-    if shown.axes {
-        for segment in &placed.axes {
-            drawing.axis(segment)?;
-        }
+    for segment in &placed.axes {
+        drawing.axis(segment)?;
     }
-    if shown.planes {
-        drawing.planes(&placed)?;
-    }
-    if shown.centres {
-        for centre in &placed.centres {
-            drawing.ball("inversion centre", CENTRE, centre.point, 2.6)?;
-        }
+    drawing.planes(placed)?;
+    for centre in &placed.centres {
+        drawing.ball("inversion centre", CENTRE, centre.point, 2.6)?;
     }
     Ok(())
 }
@@ -126,6 +144,7 @@ pub fn add_symmetry_elements(
 struct Drawing<'a> {
     scene: &'a mut Scene,
     cell: &'a Cell,
+    origin: Vector3,
     /// The radius of a rod in ångström.
     rod: f64,
     materials: Vec<(&'static str, u8, MaterialId)>,
@@ -138,9 +157,7 @@ impl Drawing<'_> {
         let axis = segment.axis;
         let colour = of_axis(axis);
         let material = self.material(colour, 100)?;
-        let [from, to] = segment
-            .ends
-            .map(|end| Vector3::from(self.cell.cartesian(end)));
+        let [from, to] = segment.ends.map(|end| self.position(end));
         let along = to - from;
         let length = along.norm();
         let turned = upright_to(along);
@@ -251,9 +268,7 @@ impl Drawing<'_> {
 
     fn corners(&self, polygon: &PlanePolygon) -> Vec<Vector3> {
         let corners = polygon.corners.iter();
-        corners
-            .map(|corner| Vector3::from(self.cell.cartesian(*corner)))
-            .collect()
+        corners.map(|corner| self.position(*corner)).collect()
     }
 
     /// The outline, whole for mirrors and dashed for glides, and the glide's arrow in the middle.
@@ -305,8 +320,14 @@ impl Drawing<'_> {
     ) -> Result<(), OverlayError> {
         let material = self.material(colour, 100)?;
         let shape = self.shape("ball", || mesh::icosphere(2))?;
-        let place = Placement::at(self.cell.cartesian(point))?.scaled([radius * self.rod; 3])?;
+        let place = Placement::at(self.position(point).to_array())?;
+        let place = place.scaled([radius * self.rod; 3])?;
         Ok(self.scene.add_node(name, shape, material, place)?)
+    }
+
+    /// Where a point given in fractions of the cell edges is drawn.
+    fn position(&self, fractions: [f64; 3]) -> Vector3 {
+        self.origin + Vector3::from(self.cell.cartesian(fractions))
     }
 
     fn material(&mut self, colour: Colour, percent: u8) -> Result<MaterialId, ExportError> {
