@@ -72,6 +72,24 @@ impl Default for Shown {
     }
 }
 
+/// Where and how boldly elements are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// Where the corner of the cell at the lattice's origin is drawn, in ångström.
+    pub origin: Vector3,
+    /// The thickness of rods, symbols and helices, 1 for the usual.
+    pub boldness: f64,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            origin: Vector3::default(),
+            boldness: 1.0,
+        }
+    }
+}
+
 /// Adds the symmetry elements in a block of cells to a scene, in ångström; [`legend`] says what their
 /// colours mean.
 ///
@@ -108,11 +126,11 @@ pub fn add_symmetry_elements(
     if !shown.centres {
         placed.centres.clear();
     }
-    add_placed_elements(scene, &placed, cell, Vector3::default())
+    add_placed_elements(scene, &placed, cell, Style::default())
 }
 
 /// Adds elements that [`SymmetryElements::within`] found in a block of cells, or a choice of them, to a
-/// scene, with the corner of the block's first cell moved to `origin` (ångström).
+/// scene.
 ///
 /// # Errors
 /// [`OverlayError`] if the scene cannot hold them.
@@ -120,13 +138,13 @@ pub fn add_placed_elements(
     scene: &mut Scene,
     placed: &PlacedElements,
     cell: &Cell,
-    origin: Vector3,
+    style: Style,
 ) -> Result<(), OverlayError> {
     let mut drawing = Drawing {
         scene,
         cell,
-        origin,
-        rod: ROD * cell.volume().cbrt(),
+        origin: style.origin,
+        rod: ROD * style.boldness * cell.volume().cbrt(),
         materials: Vec::new(),
         shapes: Vec::new(),
     };

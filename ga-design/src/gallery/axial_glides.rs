@@ -4,13 +4,18 @@
 use super::GalleryError;
 use super::horn::materials;
 use super::lattice_of_horns::{Horns, frames};
-use crate::crystallography::overlay::add_placed_elements;
-use crate::crystallography::{Cell, CellRange, Operation, SpaceGroup, SymmetryElements};
+use crate::crystallography::overlay::{Style, add_placed_elements};
+use crate::crystallography::{Cell, CellRange, Operation, SymmetryElements, close};
 use crate::export::{Scene, View};
 use ga_cga::Vector3;
 
-/// The groups: 22 on the primitive lattice, then with the mirror a as a glide along b and along c.
-const GROUPS: [&str; 3] = ["P m m m", "P b m m", "P c m m"];
+/// The groups by what the mirror a becomes: itself, a glide along b, a glide along c. The mirrors b and c
+/// stay, and go through the same point.
+const GROUPS: [(&str, &str); 3] = [
+    ("P m m m", "-x,y,z"),
+    ("P b m m", "-x,y+1/2,z"),
+    ("P c m m", "-x,y,z+1/2"),
+];
 
 const CELLS: &str = "1x2x2";
 
@@ -25,32 +30,41 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
     );
     let materials = materials(&mut scene)?;
     let cells: CellRange = CELLS.parse()?;
-    for (number, symbol) in GROUPS.into_iter().enumerate() {
-        let operations = operations(symbol)?;
+    for (number, (symbol, glide)) in GROUPS.into_iter().enumerate() {
+        let operations = operations(glide)?;
         let cell = Cell::new([3.4, 2.6, 2.9], [90.0; 3])?;
         let origin = Vector3::new(4.6 * number as f64, 0.0, 0.0);
-        let horns = Horns::new(&operations, cell, cells, Some([0.22, 0.19, 0.2]), 0.33)?;
+        let horns = Horns::new(&operations, cell, cells, Some([0.24, 0.23, 0.26]), 0.5)?;
         horns.draw(&mut scene, symbol, materials, &horns.places()?, origin)?;
         frames(&mut scene, &cell, cells, origin)?;
         let across = SymmetryElements::of(&across_a(&operations))?;
         let placed = across.within(cells)?;
-        add_placed_elements(&mut scene, &placed, &cell, origin)?;
+        let style = Style {
+            origin,
+            boldness: 2.0,
+        };
+        add_placed_elements(&mut scene, &placed, &cell, style)?;
     }
     scene.set_view(View {
-        azimuth: -1.12,
-        elevation: 0.3,
+        azimuth: -1.2,
+        elevation: 0.34,
     })?;
     Ok(scene)
 }
 
-fn operations(symbol: &str) -> Result<Vec<Operation>, GalleryError> {
-    let missing = GalleryError::Degenerate {
-        what: "a space group of the figure",
-    };
-    let groups = SpaceGroup::from_symbol(symbol).unwrap_or_default();
-    let group = groups.first().ok_or(missing)?;
-    Ok(group.operations()?)
+/// All operations of the group that a joined mirror generates with the mirrors b and c.
+fn operations(joined: &str) -> Result<Vec<Operation>, GalleryError> {
+    let mut generators = Vec::new();
+    for text in [joined, "x,-y,z", "x,y,-z"] {
+        let generator: Operation = text.parse().map_err(|_| MISSING)?;
+        generators.push(generator);
+    }
+    close(&generators).map_err(|_| MISSING)
 }
+
+const MISSING: GalleryError = GalleryError::Degenerate {
+    what: "a space group of the figure",
+};
 
 /// The identity and the reflections across a.
 fn across_a(operations: &[Operation]) -> Vec<Operation> {
@@ -67,8 +81,10 @@ mod tests {
 
     #[test]
     fn the_planes_across_a_are_a_mirror_a_b_glide_and_a_c_glide() -> Result<(), GalleryError> {
-        for (symbol, letter) in GROUPS.into_iter().zip(['m', 'b', 'c']) {
-            let elements = SymmetryElements::of(&across_a(&operations(symbol)?))?;
+        for ((symbol, joined), letter) in GROUPS.into_iter().zip(['m', 'b', 'c']) {
+            let all = operations(joined)?;
+            assert_eq!(all.len(), 8, "{symbol}");
+            let elements = SymmetryElements::of(&across_a(&all))?;
             let letters: Vec<_> = elements.planes().iter().map(|p| p.letter()).collect();
             assert_eq!(letters, [letter; 2], "{symbol}");
         }

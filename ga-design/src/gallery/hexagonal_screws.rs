@@ -4,7 +4,7 @@ use super::GalleryError;
 use super::horn::materials;
 use super::lattice_of_horns::Horns;
 use super::palette::solid;
-use crate::crystallography::overlay::add_placed_elements;
+use crate::crystallography::overlay::{Style, add_placed_elements};
 use crate::crystallography::{Cell, CellRange, Isometry, SpaceGroup, SymmetryElements};
 use crate::export::{Scene, View};
 use crate::mesh;
@@ -14,23 +14,24 @@ use ga_cga::Vector3;
 const GROUPS: [u32; 6] = [177, 178, 180, 182, 181, 179];
 
 /// The edges a and c.
-const EDGES: [f64; 2] = [4.4, 9.0];
+const EDGES: [f64; 2] = [4.6, 8.0];
 
 /// Where the first horn stands, in fractions of the edges.
-const START: [f64; 3] = [0.26, 0.06, 0.042];
+const START: [f64; 3] = [0.34, 0.1, 1.0 / 24.0];
 
 pub(super) fn scene() -> Result<Scene, GalleryError> {
     let mut scene = Scene::new(
         "hexagonal-screws",
         "P 6ₛ22 for s from 0 to 5",
-        "Space groups P 6̅ₛ2̅ with s = 0, 1, 2, 3, 4, 5 from left to right (P 622, P 6₁22, P 6₂22, P 6₃22, \
-         P 6₄22, P 6₅22): the horns around one axis, as high as one cell. Sixty degrees come with a rise \
+        "Space groups P 6̅ₛ2̅ with s = 0, 1, 2 above (P 622, P 6₁22, P 6₂22) and 3, 4, 5 below \
+         (P 6₃22, P 6₄22, P 6₅22): the horns around one axis, as high as one cell. Sixty degrees come with a rise \
          of s sixths of the edge c; 6₁ and 6₅, 6₂ and 6₄ are mirror images, and 6₃ is its own.",
     );
     let materials = materials(&mut scene)?;
     let disc = scene.add_material(solid("ends of the cell", [196, 202, 210])?);
     for (place, number) in GROUPS.into_iter().enumerate() {
-        let origin = Vector3::new(4.3 * place as f64, 0.0, 0.0);
+        let (column, row) = ((place % 3) as f64, -((place / 3) as f64));
+        let origin = Vector3::new(5.6 * column, 0.0, 9.6 * row);
         let (horns, places) = around_the_axis(number)?;
         let name = format!("6_{place}");
         horns.draw(&mut scene, &name, materials, &places, origin)?;
@@ -40,16 +41,20 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
             let [[x, y, _], _] = segment.ends;
             segment.axis.order() == 6 && x.abs() + y.abs() < 1e-6
         });
-        add_placed_elements(&mut scene, &placed, &horns.cell, origin)?;
+        let style = Style {
+            origin,
+            boldness: 2.8,
+        };
+        add_placed_elements(&mut scene, &placed, &horns.cell, style)?;
         for height in [0.0, EDGES[1]] {
             let centre = (origin + Vector3::new(0.0, 0.0, height)).to_array();
-            let ring = mesh::torus(centre, [0.0, 0.0, 1.0], 1.75, 0.03, 96, 8)?;
+            let ring = mesh::torus(centre, [0.0, 0.0, 1.0], 1.95, 0.04, 96, 8)?;
             scene.add("end of the cell", ring, disc)?;
         }
     }
     scene.set_view(View {
         azimuth: -1.45,
-        elevation: 0.3,
+        elevation: 0.26,
     })?;
     Ok(scene)
 }

@@ -8,9 +8,11 @@ use crate::crystallography::Isometry;
 use crate::export::{MaterialId, Scene};
 use crate::mesh::Mesh;
 use ga_cga::{Point, Vector3};
+use std::f64::consts::TAU;
 
-/// The balls that a horn is made of.
-const BALLS: u32 = 22;
+/// The rings of a horn, and the points of a ring.
+const RINGS: u32 = 40;
+const SIDES: u32 = 20;
 
 /// The turn of the horn from its mouth to its tip, in radians.
 const WINDING: f64 = 4.2;
@@ -25,16 +27,49 @@ pub(super) fn horn(
 ) -> Result<Mesh, GalleryError> {
     // A quarter turn on about `out`.
     let across: Vector3 = aside.left_contract(out.orthogonal_plane());
-    let balls = (0..BALLS).map(|i| {
-        let part = f64::from(i) / f64::from(BALLS - 1);
+    let along = |part: f64| {
         let (sine, cosine) = (WINDING * part).sin_cos();
         let spread = 0.52 * size * (1.0 - 0.35 * part);
-        let at = centre.position()
+        centre.position()
             + (aside * cosine + across * sine) * spread
-            + out * (size * (0.45 - 1.0 * part));
-        ball(at.to_array(), size * (0.46 - 0.36 * part))
+            + out * (size * (0.45 - 1.0 * part))
+    };
+    let radius = |part: f64| size * (0.46 - 0.36 * part);
+    let mut positions = Vec::new();
+    for ring in 0..RINGS {
+        let part = f64::from(ring) / f64::from(RINGS - 1);
+        // The axis of the horn never comes to lie along `out`, so that this frame turns evenly.
+        let [ahead, up] = frame_beside(along(part + 1e-4) - along(part - 1e-4), out)?;
+        let side: Vector3 = up.left_contract(ahead.orthogonal_plane());
+        for point in 0..SIDES {
+            let (sine, cosine) = (TAU * f64::from(point) / f64::from(SIDES)).sin_cos();
+            let spoke = (up * cosine + side * sine) * radius(part);
+            positions.push((along(part) + spoke).to_array());
+        }
+    }
+    let mut triangles = Vec::new();
+    for ring in 0..RINGS - 1 {
+        for point in 0..SIDES {
+            let next = (point + 1) % SIDES;
+            let [a, b] = [ring * SIDES + point, ring * SIDES + next];
+            triangles.extend([[a, b, b + SIDES], [a, b + SIDES, a + SIDES]]);
+        }
+    }
+    let wall = Mesh::from_triangles(positions, triangles)?;
+    let ends = [0.0, 1.0].map(|part| ball(along(part).to_array(), radius(part)));
+    let [mouth, tip] = ends;
+    Ok(Mesh::joined(&[wall, mouth?, tip?])?)
+}
+
+/// The unit vector along a vector, and the one at right angles to it that is nearest to another.
+fn frame_beside(along: Vector3, other: Vector3) -> Result<[Vector3; 2], GalleryError> {
+    let unit = along.normalized().and_then(|ahead| {
+        let up: Vector3 = other.reject(ahead);
+        Some([ahead, up.normalized()?])
     });
-    Ok(Mesh::joined(&balls.collect::<Result<Vec<_>, _>>()?)?)
+    unit.ok_or(GalleryError::Degenerate {
+        what: "the direction of a motif",
+    })
 }
 
 /// The materials of copies that were turned, blue, and of those that were mirrored, orange.
@@ -72,14 +107,8 @@ pub(super) fn roomy(isometries: &[Isometry], radius: f64) -> (Point, f64) {
 
 /// Two unit vectors at right angles, the first along the one that is given.
 pub(super) fn frame(along: Vector3) -> Result<[Vector3; 2], GalleryError> {
-    let degenerate = GalleryError::Degenerate {
-        what: "the direction of a motif",
-    };
-    let Some(out) = along.normalized() else {
-        return Err(degenerate);
-    };
-    // What of the axes is least along it, made perpendicular.
-    let [x, y, z] = out.to_array().map(f64::abs);
+    // What of the axes is least along it.
+    let [x, y, z] = along.to_array().map(f64::abs);
     let start = if x <= y && x <= z {
         Vector3::new(1.0, 0.0, 0.0)
     } else if y <= z {
@@ -87,9 +116,5 @@ pub(super) fn frame(along: Vector3) -> Result<[Vector3; 2], GalleryError> {
     } else {
         Vector3::new(0.0, 0.0, 1.0)
     };
-    let aside: Vector3 = start.reject(out);
-    aside
-        .normalized()
-        .map(|aside| [out, aside])
-        .ok_or(degenerate)
+    frame_beside(along, start)
 }

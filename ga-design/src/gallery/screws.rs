@@ -1,8 +1,8 @@
 //! The screws of P 2₁2₁2₁ (figure 3.5): three families of axes that never meet.
 
 use super::GalleryError;
-use super::horn::materials;
 use super::lattice_of_horns::{Horns, frames};
+use super::palette::{YELLOW, solid};
 use crate::crystallography::overlay::{Shown, add_symmetry_elements};
 use crate::crystallography::{Cell, CellRange, SpaceGroup, SymmetryElements};
 use crate::export::{Scene, View};
@@ -22,10 +22,11 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
     let group = SpaceGroup::standard(19).ok_or(missing)?;
     let operations = group.generate_operations()?;
     let cell = Cell::new([3.6, 4.3, 5.0], [90.0; 3])?;
-    let horns = Horns::new(&operations, cell, CellRange::UNIT, None, 0.62)?;
-    let materials = materials(&mut scene)?;
+    let horns = Horns::new(&operations, cell, CellRange::UNIT, None, 0.8)?;
+    // All are turned; blue is for the axes here.
+    let yellow = scene.add_material(solid("turned", YELLOW)?);
     let places = horns.places()?;
-    horns.draw(&mut scene, "horn", materials, &places, Vector3::default())?;
+    horns.draw(&mut scene, "horn", [yellow; 2], &places, Vector3::default())?;
     frames(&mut scene, &cell, CellRange::UNIT, Vector3::default())?;
     let elements = SymmetryElements::of(&operations)?;
     add_symmetry_elements(

@@ -9,13 +9,13 @@ use crate::crystallography::{
 };
 use crate::export::{Scene, View};
 use crate::mesh::{self, Mesh};
-use ga_cga::{Point, Vector3};
+use ga_cga::{Bivector3, Motor, Point, Rotor, Vector3};
 
 /// The golden ratio.
 const GOLDEN: f64 = 1.618_033_988_749_895;
 
 /// The distance between the groups.
-const SPACING: f64 = 4.6;
+const SPACING: f64 = 4.3;
 
 /// A bar by the coordinates of its ends along the three half-turn axes of the group.
 struct Bar {
@@ -30,7 +30,7 @@ struct Bar {
 const BARS: [Bar; 3] = [
     Bar {
         name: "general",
-        ends: [[-1.35, 0.25, 0.72], [1.2, 0.52, 1.15]],
+        ends: [[-0.56, -0.51, 1.11], [1.51, -0.15, 1.0]],
         color: ORANGE,
         edge: 0.0,
     },
@@ -58,7 +58,25 @@ fn axes(group: &PointGroup) -> Result<[Vector3; 3], GalleryError> {
             _ => None,
         });
     let axes: Vec<Vector3> = half_turns.collect();
-    <[Vector3; 3]>::try_from(axes).map_err(|_| GalleryError::Degenerate {
+    let [u, v, w] = <[Vector3; 3]>::try_from(axes).map_err(|_| GalleryError::Degenerate {
+        what: "the half turns of the figure",
+    })?;
+    // As a right-handed frame.
+    let hand = (u ^ v ^ w).e123;
+    Ok([u, v, w * hand.signum()])
+}
+
+/// The turn that brings the half-turn axes of the group upright: to x, y and z.
+fn upright(group: &PointGroup) -> Result<Isometry, GalleryError> {
+    let turned = || {
+        let [u, v, _] = axes(group).ok()?;
+        let (x, y) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 1.0, 0.0));
+        let first = Rotor::between_in(u, x, Bivector3::new(1.0, 0.0, 0.0))?;
+        // About x, so that x stays.
+        let second = Rotor::between_in(first.apply(v), y, Bivector3::new(0.0, 0.0, 1.0))?;
+        Some(Isometry::from(Motor::from(second * first)))
+    };
+    turned().ok_or(GalleryError::Degenerate {
         what: "the half turns of the figure",
     })
 }
@@ -83,9 +101,11 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
          octahedron, of which the icosahedron is the expanded form.",
     );
     let group = PointGroup::from_geometric("b(3)b(3)")?;
+    let upright = upright(&group)?;
     let pale = scene.add_material(solid("edges", [190, 197, 207])?);
     for (number, bar) in BARS.iter().enumerate() {
-        let centre = Isometry::translation(Vector3::new(SPACING * (number as f64 - 1.0), 0.0, 0.0));
+        let along = Vector3::new(SPACING * (number as f64 - 1.0), 0.0, 0.0);
+        let centre = Isometry::translation(along).after(&upright);
         let material = scene.add_material(solid(bar.name, bar.color)?);
         let mut ends: Vec<Point> = Vec::new();
         let mut parts = Vec::new();

@@ -4,7 +4,7 @@
 use super::GalleryError;
 use super::horn::materials;
 use super::lattice_of_horns::{Horns, frames};
-use crate::crystallography::overlay::add_placed_elements;
+use crate::crystallography::overlay::{Style, add_placed_elements};
 use crate::crystallography::{Cell, CellRange, SpaceGroup, SymmetryElements};
 use crate::export::{Scene, View};
 use ga_cga::Vector3;
@@ -16,10 +16,10 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
     let mut scene = Scene::new(
         "tetragonal",
         "Five tetragonal space groups",
-        "P 4̅2 (P 4/m), P 4̅₁2̅ (P 4₁22), P 4̅2̅ (P 422), P 4̅₂2 (P 4₂/m), P 4̅₃2̅ (P 4₃22): one cell of each with \
-         its axes along c. The word ab is a quarter turn; joined with a quarter, a half or three \
-         quarters of the edge c it becomes the screw 4₁, 4₂ or 4₃, whose threads climb to the right \
-         (second from left), both ways at once (fourth), and to the left (last).",
+        "Above P 4̅2 (P 4/m), P 4̅₁2̅ (P 4₁22), P 4̅2̅ (P 422), below P 4̅₂2 (P 4₂/m), P 4̅₃2̅ (P 4₃22): one cell \
+         of each with its fourfold axes. The word ab is a quarter turn; joined with a quarter, a half or \
+         three quarters of the edge c it becomes the screw 4₁, 4₂ or 4₃. The threads along the axes climb \
+         to the right for 4₁, to the left for 4₃; 4₂ has two.",
     );
     let materials = materials(&mut scene)?;
     let cells = CellRange::UNIT;
@@ -28,10 +28,15 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
             what: "a space group of the figure",
         };
         let group = SpaceGroup::standard(number).ok_or(missing)?;
-        let cell = Cell::new([2.6, 2.6, 4.6], [90.0; 3])?;
+        let cell = Cell::new([2.9, 2.9, 4.2], [90.0; 3])?;
         let operations = group.generate_operations()?;
-        let origin = Vector3::new(3.9 * place as f64, 0.0, 0.0);
-        let horns = Horns::new(&operations, cell, cells, None, 0.34)?;
+        // Three above, two below in the gaps.
+        let (column, row) = match place {
+            0..3 => (place as f64, 0.0),
+            _ => (place as f64 - 2.5, -1.0),
+        };
+        let origin = Vector3::new(4.7 * column, 0.0, 5.6 * row);
+        let horns = Horns::new(&operations, cell, cells, None, 0.46)?;
         horns.draw(
             &mut scene,
             group.symbol,
@@ -47,11 +52,15 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
         });
         placed.planes.clear();
         placed.centres.clear();
-        add_placed_elements(&mut scene, &placed, &cell, origin)?;
+        let style = Style {
+            origin,
+            boldness: 2.2,
+        };
+        add_placed_elements(&mut scene, &placed, &cell, style)?;
     }
     scene.set_view(View {
         azimuth: -1.3,
-        elevation: 0.24,
+        elevation: 0.22,
     })?;
     Ok(scene)
 }
