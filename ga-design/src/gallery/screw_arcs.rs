@@ -155,7 +155,7 @@ mod tests {
                 assert!(is_home);
             }
         }
-        let screw = Isometry::from(Motor::from(screw.exp()));
+        let screw = Isometry::from(screw.exp());
         let Motion::Screw { rise, .. } = screw.motion() else {
             panic!("a screw")
         };

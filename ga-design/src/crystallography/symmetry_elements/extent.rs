@@ -5,7 +5,7 @@ use super::{Axis, InversionCentre, ReflectionPlane, SymmetryElements};
 use crate::crystallography::CellRange;
 
 /// The most elements that a block may show.
-pub const MOST_ELEMENTS: usize = 100_000;
+pub const MOST_ELEMENTS: usize = 20_000;
 
 /// Rounding of positions in cell edges.
 const ROUNDING: f64 = 1e-9;
