@@ -84,7 +84,7 @@ pub fn draw(
     let drawn = add_symmetry_elements(scene, elements, cell, range, Shown::default());
     drawn.map_err(|reason| Failure::Symmetry {
         file: file.to_owned(),
-        reason: reason.into(),
+        reason,
     })
 }
 
