@@ -10,6 +10,7 @@ mod conformal_motions;
 mod covariance;
 mod crystals;
 mod folded_vertex;
+mod fundamental_domain;
 mod helix;
 mod hexagonal_screws;
 mod horn;
@@ -156,6 +157,7 @@ pub const fn entries() -> &'static [Entry] {
             entry("motions", motions::scene),
             entry("conformal-motions", conformal_motions::scene),
             entry("miura", miura::scene),
+            entry("fundamental-domain", fundamental_domain::scene),
             entry("halite", crystals::halite),
             entry("screw-arcs", screw_arcs::scene),
             entry("hexagonal-screws", hexagonal_screws::scene),
