@@ -3,18 +3,23 @@
 use super::GalleryError;
 use super::horn::materials;
 use super::lattice_of_horns::Horns;
+use super::motif::path;
 use super::palette::solid;
 use crate::crystallography::overlay::{Style, add_placed_elements};
 use crate::crystallography::{Cell, CellRange, Isometry, SpaceGroup, SymmetryElements};
 use crate::export::{Scene, View};
-use crate::mesh;
-use ga_cga::Vector3;
+use crate::mesh::{self, Mesh};
+use ga_cga::{DualLine, Motor, Point, Vector3};
+use std::f64::consts::TAU;
 
 /// The numbers of the groups P 622, P 6₁22, P 6₂22, P 6₃22, P 6₄22, P 6₅22.
 const GROUPS: [u32; 6] = [177, 178, 180, 182, 181, 179];
 
 /// The edges a and c.
 const EDGES: [f64; 2] = [4.6, 8.0];
+
+/// The points of an arc, less one.
+const STEPS: u32 = 24;
 
 /// Where the first horn stands, in fractions of the edges.
 const START: [f64; 3] = [0.34, 0.1, 1.0 / 24.0];
@@ -24,11 +29,13 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
         "hexagonal-screws",
         "P 6ₛ22 for s from 0 to 5",
         "Space groups P 6̅ₛ2̅ with s = 0, 1, 2 above (P 622, P 6₁22, P 6₂22) and 3, 4, 5 below \
-         (P 6₃22, P 6₄22, P 6₅22): the horns around one axis, as high as one cell. Sixty degrees come with a rise \
+         (P 6₃22, P 6₄22, P 6₅22): the horns around one axis, as high as one cell, and their ways \
+         by the screw. Sixty degrees come with a rise \
          of s sixths of the edge c; 6₁ and 6₅, 6₂ and 6₄ are mirror images, and 6₃ is its own.",
     );
     let materials = materials(&mut scene)?;
     let disc = scene.add_material(solid("ends of the cell", [196, 202, 210])?);
+    let ink = scene.add_material(solid("arcs", [44, 48, 58])?);
     for (place, number) in GROUPS.into_iter().enumerate() {
         let (column, row) = ((place % 3) as f64, -((place / 3) as f64));
         let origin = Vector3::new(5.6 * column, 0.0, 9.6 * row);
@@ -46,6 +53,15 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
             boldness: 2.8,
         };
         add_placed_elements(&mut scene, &placed, &horns.cell, style)?;
+        let arcs = arcs(place, &horns, &places)?;
+        let arcs = arcs.iter().map(|arc| {
+            let moved = arc
+                .iter()
+                .map(|point| Point::from(point.position() + origin));
+            path(&moved.collect::<Vec<_>>(), 0.035)
+        });
+        let arcs = arcs.collect::<Result<Vec<_>, _>>()?;
+        scene.add(&format!("arcs of {name}"), Mesh::joined(&arcs)?, ink)?;
         for height in [0.0, EDGES[1]] {
             let centre = (origin + Vector3::new(0.0, 0.0, height)).to_array();
             let ring = mesh::torus(centre, [0.0, 0.0, 1.0], 1.95, 0.04, 96, 8)?;
@@ -77,6 +93,37 @@ fn around_the_axis(number: u32) -> Result<(Horns, Vec<Isometry>), GalleryError> 
     let reach = from_axis(&horns.at.position()) + 1e-6;
     places.retain(|place| from_axis(&place.apply(horns.at).position()) < reach);
     Ok((horns, places))
+}
+
+/// The ways of the horns by the screw, as far as they are within the cell: by s sixths of c up, or down by
+/// the rest where that is nearer.
+fn arcs(screw: usize, horns: &Horns, places: &[Isometry]) -> Result<Vec<Vec<Point>>, GalleryError> {
+    let [_, c] = EDGES;
+    let sixths = if screw <= 3 {
+        screw as f64
+    } else {
+        screw as f64 - 6.0
+    };
+    let axis = DualLine::along(Point::at(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 1.0));
+    let mut arcs = Vec::new();
+    for place in places {
+        let mut arc = Vec::new();
+        for step in 0..=STEPS {
+            let part = f64::from(step) / f64::from(STEPS);
+            let motor = Motor::screw(axis, part * TAU / 6.0, part * sixths * c / 6.0);
+            let motor = motor.ok_or(GalleryError::Degenerate {
+                what: "the screw of the figure",
+            })?;
+            let point: Point = motor.apply(place.apply(horns.at));
+            if (-1e-9..=c + 1e-9).contains(&point.position().e3) {
+                arc.push(point);
+            }
+        }
+        if arc.len() > 1 {
+            arcs.push(arc);
+        }
+    }
+    Ok(arcs)
 }
 
 fn from_axis(position: &Vector3) -> f64 {
