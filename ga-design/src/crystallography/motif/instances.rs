@@ -3,7 +3,7 @@
 
 use ga_cga::{DualPlane, Motor, Vector3};
 
-use super::{Motif, MotifError};
+use super::surface::image;
 use crate::crystallography::Isometry;
 use crate::export::{ExportError, MaterialId, Placement, Scene};
 use crate::mesh::Mesh;
@@ -35,7 +35,7 @@ pub fn add_instances(
                 let (name, mesh) = if slot == 0 {
                     (name.to_owned(), mesh.clone())
                 } else {
-                    let image = mesh.moved(&reflection).map_err(unmovable)?;
+                    let image = image(mesh, &reflection)?;
                     (format!("{name}, mirrored"), image)
                 };
                 let shape = scene.add_shape(name, mesh);
@@ -57,14 +57,4 @@ fn placed(motor: Motor) -> Result<Placement, ExportError> {
         (rotor.to_quaternion(), translator.vector().to_array())
     });
     Placement::at(shift)?.rotated(rotation)
-}
-
-fn unmovable(error: MotifError) -> ExportError {
-    match error {
-        MotifError::Mesh(error) => ExportError::Mesh(error),
-        // A reflection in a plane through the origin moves every mesh.
-        MotifError::Placement(_) | MotifError::TooMany { .. } | MotifError::NotFinite => {
-            ExportError::ShortLine
-        }
-    }
 }

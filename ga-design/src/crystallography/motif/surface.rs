@@ -7,25 +7,29 @@ use super::bins::Bins;
 use super::points::middle;
 use super::{Coincidence, Fingerprint, Motif, MotifError};
 use crate::crystallography::Isometry;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, MeshError};
+
+/// The image of a mesh under an isometry.
+pub(super) fn image(mesh: &Mesh, by: &Isometry) -> Result<Mesh, MeshError> {
+    let normal = |[x, y, z]: &[f64; 3]| {
+        let free = DirectionVector::along(Vector3::new(*x, *y, *z));
+        by.apply(free).vector().to_array()
+    };
+    let position = |p: &[f64; 3]| by.apply(at(*p)).position().to_array();
+    let triangle = |[a, b, c]: &[u32; 3]| match by.mirror {
+        Some(_) => [*a, *c, *b],
+        None => [*a, *b, *c],
+    };
+    Mesh::new(
+        mesh.positions().iter().map(position).collect(),
+        mesh.normals().iter().map(normal).collect(),
+        mesh.triangles().iter().map(triangle).collect(),
+    )
+}
 
 impl Motif for Mesh {
     fn moved(&self, by: &Isometry) -> Result<Self, MotifError> {
-        let normal = |[x, y, z]: &[f64; 3]| {
-            let free = DirectionVector::along(Vector3::new(*x, *y, *z));
-            Ok(free.moved(by)?.vector().to_array())
-        };
-        let position = |p: &[f64; 3]| by.apply(at(*p)).position().to_array();
-        let triangle = |[a, b, c]: &[u32; 3]| match by.mirror {
-            Some(_) => [*a, *c, *b],
-            None => [*a, *b, *c],
-        };
-        let normals = self.normals().iter().map(normal);
-        Ok(Mesh::new(
-            self.positions().iter().map(position).collect(),
-            normals.collect::<Result<_, MotifError>>()?,
-            self.triangles().iter().map(triangle).collect(),
-        )?)
+        Ok(image(self, by)?)
     }
 
     /// Meshes coincide if every vertex of each is one of the other; which of them triangles join is not
