@@ -6,6 +6,9 @@
 //!                      ▲              ▲
 //!        hall, symbols ┘              └ Placement: ≤ 3 reflections, then a translation
 //!                                       └ Isometry: the same as versors
+//!
+//! p, q ──► Roots ──► PointGroup             a geometric symbol such as `b(4)2`
+//!            └─ lattice, generators ──► SpaceGroup::generate ──► Isometry, Operation
 //! ```
 //!
 //! Symmetry is exact (integers and rationals modulo the lattice); only lengths and coordinates
@@ -40,9 +43,11 @@
 
 pub mod cell;
 pub mod cell_range;
+pub mod change_of_basis;
 pub mod cif;
 pub mod closure;
 pub mod crystal;
+mod direction;
 pub mod elements;
 pub mod fundamental_domain;
 pub mod generators;
@@ -53,15 +58,20 @@ pub mod operation;
 pub mod overlay;
 pub mod placement;
 pub mod point_group;
+pub mod recognition;
 pub mod roots;
 pub mod scene;
+mod smith;
+pub mod subperiodic;
 pub mod symbols;
 pub mod symmetry_elements;
 pub mod unit_cell;
 pub mod versor;
+pub mod wyckoff;
 
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
+pub use change_of_basis::{ChangeOfBasis, ChangeOfBasisError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
@@ -80,8 +90,14 @@ pub use placement::{Placement, PlacementError};
 pub use point_group::{
     Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word,
 };
+pub use recognition::Recognition;
 pub use roots::{Roots, RootsError};
+pub use subperiodic::{
+    SubperiodicGroup, SubperiodicGroupError, SubperiodicKind, SubperiodicLattice,
+    SubperiodicOperation, SubperiodicOperationError, UnknownSubperiodicSymbol,
+};
 pub use symbols::{SpaceGroup, UnknownSymbol};
 pub use symmetry_elements::SymmetryElements;
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};
+pub use wyckoff::{LocatedSite, SiteCoordinates, WyckoffPosition, WyckoffPositions};

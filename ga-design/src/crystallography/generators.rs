@@ -30,6 +30,7 @@ use std::sync::LazyLock;
 
 use num_rational::Ratio;
 
+use super::SpaceGroup;
 use super::lattice::Centring;
 use super::operation::affine;
 
@@ -40,6 +41,8 @@ const TABLE: &str = include_str!("../../data/space_group_generators.tsv");
 pub struct SpaceGroupGenerators {
     /// The number in *International Tables*, 1 to 230.
     pub number: u32,
+    /// The standard setting, in whose cell all of this is said.
+    pub standard: &'static SpaceGroup,
     /// The geometric symbol of the group, with that of its point group.
     pub symbol: GeometricSymbol,
     /// The lattice of the standard cell.
@@ -90,6 +93,7 @@ static GENERATORS: LazyLock<Vec<SpaceGroupGenerators>> =
 fn row(line: &str) -> Option<SpaceGroupGenerators> {
     let mut fields = line.split('\t');
     let number = fields.next()?.parse().ok()?;
+    let standard = SpaceGroup::standard(number)?;
     let symbol = fields.next()?.parse().ok()?;
     let centring = Centring::from_letter(fields.next()?.chars().next()?)?;
     let mut direction = || fields.next()?.parse().ok();
@@ -98,6 +102,7 @@ fn row(line: &str) -> Option<SpaceGroupGenerators> {
     let generators = fields.next()?.split("; ").map(str::parse);
     Some(SpaceGroupGenerators {
         number,
+        standard,
         symbol,
         centring,
         roots,

@@ -17,7 +17,6 @@ mod rotation;
 
 use super::closure::{ClosureError, close};
 use super::operation::{DENOMINATOR, Operation, OperationError};
-use change_of_basis::ChangeOfBasis;
 use rotation::Rotation;
 
 /// The most characters that a Hall symbol may have.
@@ -110,7 +109,7 @@ pub fn operations(symbol: &str) -> Result<Vec<Operation>, HallError> {
     let (main, change) = match bytes.iter().position(|byte| *byte == b'(') {
         Some(open) => {
             let change =
-                ChangeOfBasis::read(bytes.get(open..).unwrap_or_default()).map_err(|reason| {
+                change_of_basis::read(bytes.get(open..).unwrap_or_default()).map_err(|reason| {
                     HallError::Change {
                         column: open + 1,
                         reason,
@@ -125,8 +124,7 @@ pub fn operations(symbol: &str) -> Result<Vec<Operation>, HallError> {
     };
     let mut generators = generators(main)?;
     if let Some((change, column)) = change {
-        generators = change
-            .carry(&generators)
+        generators = change_of_basis::carry(&change, &generators)
             .map_err(|reason| HallError::Change { column, reason })?;
     }
     Ok(close(&generators)?)

@@ -4,6 +4,7 @@
 mod bravais;
 mod centring;
 mod edges;
+mod primitive;
 mod shape;
 mod system;
 

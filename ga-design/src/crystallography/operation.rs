@@ -6,9 +6,8 @@ mod expression;
 mod print;
 mod triplet;
 
-pub(super) use expression::{Affine, affine};
+pub(super) use expression::affine;
 pub use triplet::OperationError;
-pub(super) use triplet::units;
 
 /// All translations are whole multiples of one over this number: 2⁴ · 3² · 5 · 7.
 ///

@@ -30,6 +30,13 @@ pub struct Step {
     pub input: usize,
 }
 
+impl Step {
+    /// The instruction as numbers, {type, index, input} of the algorithm.
+    pub fn encoding(self) -> (u8, u8, usize) {
+        (self.word.kind(), self.word.index(), self.input)
+    }
+}
+
 /// A finite group of rotations and reflections about the origin, generated from roots.
 ///
 /// ```

@@ -9,10 +9,17 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use super::change_of_basis::ChangeOfBasis;
 use super::hall::{self, HallError};
 use super::operation::Operation;
 
+mod extended;
+mod lookup;
 mod spelling;
+mod system;
+
+pub use super::lattice::CrystalSystem;
+pub(super) use spelling::folded;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");
 
@@ -33,8 +40,7 @@ pub struct SpaceGroup {
     pub standard: bool,
     /// Other spellings: full symbols, and the symbols with the glide `e`.
     also: Vec<&'static str>,
-    /// The coordinates of this setting in terms of those of the standard one: `x,y,z+1/4`.
-    pub change_of_basis: &'static str,
+    from_standard: &'static str,
 }
 
 /// A symbol that names no known setting.
@@ -81,7 +87,8 @@ impl SpaceGroup {
     ///
     /// Blanks, underscores and case do not matter; `:1`, `:2`, `:H`, `:R` or a trailing `S`, `Z`,
     /// `H`, `R` choose origin or axes, and without them the standard choice comes first. Short
-    /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`) and old (`F d 3 m`) spellings are known.
+    /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`), extended (`C 2/m 2/c 21/m (21/b 21/n n)`,
+    /// any of its further elements in brackets) and old (`F d 3 m`) spellings are known.
     ///
     /// ```
     /// use ga_design::crystallography::SpaceGroup;
@@ -92,6 +99,14 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn from_symbol(symbol: &str) -> Result<Vec<&'static Self>, UnknownSymbol> {
+        if let Some((first, second)) = symbol.split_once('(') {
+            let (further, suffix) = second.rsplit_once(':').unwrap_or((second, ""));
+            let mut found = Self::from_symbol(&format!("{first}:{suffix}"))?;
+            found.retain(|group| group.has_further(further));
+            if !found.is_empty() {
+                return Ok(found);
+            }
+        }
         let found = spelling::readings(symbol)
             .into_iter()
             .find_map(|(key, choice)| {
@@ -126,6 +141,27 @@ impl SpaceGroup {
     /// The operations, the identity first.
     pub fn operations(&self) -> Result<Vec<Operation>, HallError> {
         hall::operations(self.hall)
+    }
+
+    /// The change of basis `(P, p)` from the standard setting of the number to this one: a point has
+    /// the standard coordinates `x = P x′ + p` where `x′` are its coordinates here.
+    ///
+    /// Of the many that carry the operations over, the one is meant under which the Wyckoff letters
+    /// keep their positions.
+    ///
+    /// ```
+    /// use ga_design::crystallography::SpaceGroup;
+    ///
+    /// let setting = &SpaceGroup::from_symbol("P 1 1 21/b")?[0];
+    /// let standard = SpaceGroup::standard(14).and_then(|group| group.operations().ok());
+    /// let carried = standard.and_then(|all| setting.from_standard()?.operations(&all));
+    /// assert_eq!(carried.map(|all| all.len()), Some(4));
+    /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
+    /// ```
+    // The literature's name for the change, which the noun `standard` also begins.
+    #[allow(clippy::wrong_self_convention)]
+    pub fn from_standard(&self) -> Option<ChangeOfBasis> {
+        self.from_standard.parse().ok()
     }
 
     /// The symbol with its choice of origin or axes where there is one: `F d -3 m:2`.
@@ -212,7 +248,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         .split("; ")
         .filter(|name| !name.is_empty())
         .collect();
-    let change_of_basis = fields.next()?;
+    let from_standard = fields.next()?;
     Some(SpaceGroup {
         number,
         symbol,
@@ -221,7 +257,7 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
         point_group,
         standard,
         also,
-        change_of_basis,
+        from_standard,
     })
 }
 

@@ -24,6 +24,8 @@ pub use fractional::NotOfLattice;
 pub use motion::Motion;
 pub use movable::Movable;
 
+use std::fmt;
+
 use ga_cga::{Bivector3, DualPlane, Motor, OddVersor, Point, Rotor, Translator, Vector3};
 
 use super::Placement;
@@ -184,6 +186,24 @@ impl Isometry {
         Self {
             mirror: self.mirror.map(unit_mirror),
             motor: self.motor.renormalized().unwrap_or(self.motor),
+        }
+    }
+}
+
+/// The one versor: the motor, or motor times mirror.
+///
+/// ```
+/// use ga_cga::Vector3;
+/// use ga_design::crystallography::Isometry;
+///
+/// let mirror = Isometry::reflection(Vector3::new(0.0, 2.0, 0.0)).unwrap();
+/// assert_eq!(mirror.to_string(), "e2");
+/// ```
+impl fmt::Display for Isometry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.odd_versor() {
+            Some(odd) => odd.fmt(f),
+            None => self.motor.fmt(f),
         }
     }
 }

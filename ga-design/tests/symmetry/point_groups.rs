@@ -133,6 +133,11 @@ fn the_sequence_makes_the_absolute_transformations() {
         let group = PointGroup::from_geometric(symbol).expect("a point group");
         assert_eq!(group.sequence().len() + 1, group.order());
         for (number, step) in group.sequence().iter().enumerate() {
+            let (kind, index, input) = step.encoding();
+            assert_eq!(
+                (Word::from_encoding(kind, index), input),
+                (Some(step.word), step.input)
+            );
             assert!(
                 step.input <= number,
                 "{symbol}: only earlier results are used"

@@ -35,9 +35,11 @@ fn words_are_known_by_their_letters_and_encoding() {
     for word in Word::ALL {
         assert_eq!(Word::from_letters(word.letters()), Some(word));
         assert!(seen.insert((word.kind(), word.index())));
+        assert_eq!(Word::from_encoding(word.kind(), word.index()), Some(word));
         assert_eq!(usize::from(word.kind()) + 1, word.letters().len());
     }
     assert_eq!(Word::from_letters("ba"), None);
+    assert_eq!(Word::from_encoding(2, 2), None);
 }
 
 #[test]

@@ -4,11 +4,12 @@ use ga_cga::Vector3;
 use num_rational::Ratio;
 
 use super::super::lattice::{Axis, CellShape, ConstraintError, CrystalSystem};
-use super::super::operation::{Affine, affine};
-use super::super::{Cell, CellError, Isometry, NotOfLattice, Operation, Roots, SpaceGroup, close};
+use super::super::{
+    Cell, CellError, ChangeOfBasis, Isometry, NotOfLattice, Operation, Roots, SpaceGroup, close,
+};
 use super::direction::roots_along;
 use super::expression::along;
-use super::{Generation, SpaceGroupGenerators};
+use super::{Generation, GeometricSymbol, GeometricSymbolError, SpaceGroupGenerators};
 
 /// The largest deviation of a root's cosine from that of its angle π/p or π/q.
 const ROOT_TOLERANCE: f64 = 1e-9;
@@ -43,11 +44,6 @@ pub enum GenerationError {
 }
 
 impl SpaceGroup {
-    /// The crystal system.
-    pub fn system(&self) -> CrystalSystem {
-        CrystalSystem::of_space_group(self.number).unwrap_or(CrystalSystem::Triclinic)
-    }
-
     /// The constraints on the cell in this setting.
     ///
     /// ```
@@ -58,7 +54,7 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn cell_shape(&self) -> CellShape {
-        match self.system() {
+        match self.crystal_system() {
             CrystalSystem::Triclinic => CellShape::Triclinic,
             CrystalSystem::Monoclinic => CellShape::Monoclinic(self.unique_axis()),
             CrystalSystem::Orthorhombic => CellShape::Orthorhombic,
@@ -71,8 +67,8 @@ impl SpaceGroup {
 
     /// The edge that the twofold axis of the standard setting, along **b**, has become.
     fn unique_axis(&self) -> Axis {
-        let image = self.change().map(|map| map.linear.map(|row| row[1]));
-        let along = |at: usize| image.is_some_and(|image| *image[at].numer() != 0);
+        let image = self.from_standard().map(|change| change.inverse().linear());
+        let along = |at: usize| image.is_some_and(|rows| *rows[at][1].numer() != 0);
         match (along(0), along(2)) {
             (true, _) => Axis::A,
             (_, true) => Axis::C,
@@ -80,9 +76,26 @@ impl SpaceGroup {
         }
     }
 
-    /// The map from the coordinates of the standard setting to those of this one.
-    fn change(&self) -> Option<Affine> {
-        affine(self.change_of_basis).ok()
+    /// The geometric symbol, that of the number whatever the setting.
+    pub fn geometric(&self) -> Option<GeometricSymbol> {
+        self.generators().map(|group| group.symbol)
+    }
+
+    /// The standard setting of the group with a geometric symbol such as `P b(4)_1 b(2)`;
+    /// [`SpaceGroupGenerators::from_symbol`] says how it may be spelled.
+    ///
+    /// ```
+    /// use ga_design::crystallography::SpaceGroup;
+    ///
+    /// let diamond = SpaceGroup::from_geometric("F_d 43")?;
+    /// assert_eq!(diamond.symbol, "F d -3 m");
+    /// # Ok::<(), ga_design::crystallography::GeometricSymbolError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`GeometricSymbolError`]: no such symbol, with the nearest known ones.
+    pub fn from_geometric(symbol: &str) -> Result<&'static Self, GeometricSymbolError> {
+        SpaceGroupGenerators::from_symbol(symbol).map(|group| group.standard)
     }
 
     /// The roots and generators of the group, as they are in the standard setting.
@@ -132,11 +145,12 @@ impl SpaceGroup {
 
     fn grow(&self, cell: Cell) -> Result<Generation, GenerationError> {
         let missing = GenerationError::Setting { hall: self.hall };
-        let (Some(group), Some(change)) = (self.generators(), self.change()) else {
+        let (Some(group), Some(change)) = (self.generators(), self.from_standard()) else {
             return Err(missing);
         };
-        let translations = translations(group, &change).ok_or(missing)?;
-        let (edges, origin) = standard_frame(&cell, &change);
+        let to_setting = change.inverse();
+        let translations = translations(group, &to_setting).ok_or(missing)?;
+        let (edges, origin) = standard_frame(&cell, &to_setting);
         let roots = group.roots_in(&edges).ok_or(GenerationError::Angle {
             number: self.number,
         })?;
@@ -173,8 +187,8 @@ impl SpaceGroupGenerators {
 }
 
 /// The edges and the origin of the standard cell, in the space in which the cell of the setting
-/// is given: new coordinates are `V x + v` of the standard ones.
-fn standard_frame(cell: &Cell, change: &Affine) -> ([Vector3; 3], Vector3) {
+/// is given; the map leads from standard coordinates to those of the setting.
+fn standard_frame(cell: &Cell, to_setting: &ChangeOfBasis) -> ([Vector3; 3], Vector3) {
     let edges = cell.edge_vectors().map(Vector3::from);
     let ratio = |value: Ratio<i64>| *value.numer() as f64 / *value.denom() as f64;
     let sum = |column: [Ratio<i64>; 3]| {
@@ -183,36 +197,21 @@ fn standard_frame(cell: &Cell, change: &Affine) -> ([Vector3; 3], Vector3) {
             sum + *edge * ratio(part)
         })
     };
-    let standard = [0, 1, 2].map(|axis| sum(change.linear.map(|row| row[axis])));
-    (standard, sum(change.shift))
+    let rows = to_setting.linear();
+    let standard = [0, 1, 2].map(|axis| sum(rows.map(|row| row[axis])));
+    (standard, sum(to_setting.shift()))
 }
 
 /// The lattice points of one cell of the setting: the images of the standard lattice, modulo the
 /// edges.
-fn translations(group: &SpaceGroupGenerators, change: &Affine) -> Option<Vec<Operation>> {
-    let zero = Ratio::from_integer(0_i64);
-    let whole = |axis: usize| {
-        let mut unit = [zero; 3];
-        unit[axis] = Ratio::from_integer(1);
-        unit
-    };
-    let wide = |point: [Ratio<i32>; 3]| {
-        point.map(|part| Ratio::new(i64::from(*part.numer()), i64::from(*part.denom())))
-    };
-    let standard = (0..3)
-        .map(whole)
-        .chain(group.centring.points().into_iter().map(wide));
-    let mut images = Vec::new();
-    for vector in standard {
-        let mut units = [0; 3];
-        for (unit, row) in units.iter_mut().zip(change.linear) {
-            let part = row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2];
-            *unit = super::super::operation::units(part)?;
-        }
-        images.push(Operation::from_units(
-            Operation::IDENTITY.rotation(),
-            units,
-        )?);
+fn translations(
+    group: &SpaceGroupGenerators,
+    to_setting: &ChangeOfBasis,
+) -> Option<Vec<Operation>> {
+    let from_standard = to_setting.inverse();
+    let mut images = from_standard.old_lattice()?.to_vec();
+    for translation in group.centring.translations() {
+        images.push(from_standard.operation(&translation)?);
     }
     close(&images).ok()
 }

@@ -61,6 +61,13 @@ impl Word {
         }
     }
 
+    /// The word of an encoding {type, index}.
+    pub fn from_encoding(kind: u8, index: u8) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|word| (word.kind(), word.index()) == (kind, index))
+    }
+
     /// The letters.
     pub fn letters(self) -> &'static str {
         match self {

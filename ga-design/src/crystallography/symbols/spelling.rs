@@ -24,12 +24,7 @@ pub fn readings(symbol: &str) -> Vec<(String, Option<char>)> {
         None => (folded(symbol), String::new()),
     };
     // Other suffixes, such as `b1`, tell the axes, which the symbol itself also tells.
-    let choice = match suffix.chars().next() {
-        Some(digit @ ('1' | '2')) => Some(digit),
-        Some('h') => Some('H'),
-        Some('r') => Some('R'),
-        _ => None,
-    };
+    let choice = choice(&suffix);
     all.push((name.clone(), choice));
     let trailing = match name.chars().last() {
         Some('s') => Some('1'),
@@ -44,6 +39,14 @@ pub fn readings(symbol: &str) -> Vec<(String, Option<char>)> {
         all.push((shorter, Some(trailing)));
     }
     all
+}
+
+/// The choice of origin or axes that a suffix begins with, in either case.
+pub fn choice(suffix: &str) -> Option<char> {
+    match suffix.chars().next()?.to_ascii_uppercase() {
+        known @ ('1' | '2' | 'H' | 'R') => Some(known),
+        _ => None,
+    }
 }
 
 /// Spellings that follow from the symbol by rule.
