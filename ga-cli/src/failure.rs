@@ -2,6 +2,7 @@
 //! where there is one, and the remedy.
 
 use ga_design::crystallography::cif::CifError;
+use ga_design::crystallography::overlay::OverlayError;
 use ga_design::crystallography::{CellRangeError, ExpansionError};
 use ga_design::export::ExportError;
 use ga_design::gallery::GalleryError;
@@ -32,6 +33,14 @@ pub enum Failure {
         file: PathBuf,
         /// What is wrong with them.
         reason: CellRangeError,
+    },
+    /// The symmetry elements of a crystal cannot be found or drawn.
+    #[error("{}: --symmetry: {reason}", file.display())]
+    Symmetry {
+        /// The crystal's file.
+        file: PathBuf,
+        /// What stands in the way.
+        reason: OverlayError,
     },
     /// A file cannot be made or written; the message names it.
     #[error(transparent)]

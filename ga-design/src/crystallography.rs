@@ -53,10 +53,13 @@ pub mod closure;
 pub mod crystal;
 mod direction;
 pub mod elements;
+pub mod fundamental_domain;
 pub mod generators;
 pub mod hall;
 pub mod lattice;
+pub mod motif;
 pub mod operation;
+pub mod overlay;
 pub mod placement;
 pub mod point_group;
 pub mod recognition;
@@ -65,6 +68,7 @@ pub mod scene;
 mod smith;
 pub mod subperiodic;
 pub mod symbols;
+pub mod symmetry_elements;
 pub mod unit_cell;
 pub mod versor;
 pub mod wyckoff;
@@ -75,6 +79,7 @@ pub use change_of_basis::{ChangeOfBasis, ChangeOfBasisError};
 pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
+pub use fundamental_domain::{DomainFace, FundamentalDomain, FundamentalDomainError};
 pub use generators::{
     DirectionError, ExpressionError, Generation, GenerationError, GeneratorExpression,
     GeometricSymbol, GeometricSymbolError, RootDirection, SpaceGroupGenerators,
@@ -83,6 +88,7 @@ pub use hall::HallError;
 pub use lattice::{
     BravaisLattice, CellParameters, CellShape, Centring, ConstraintError, CrystalSystem,
 };
+pub use motif::{Coincidence, Curve, Labelled, Motif, MotifCopy, MotifError, Pattern, Strut};
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
 pub use point_group::{
@@ -95,6 +101,7 @@ pub use subperiodic::{
     SubperiodicOperation, SubperiodicOperationError, UnknownSubperiodicSymbol,
 };
 pub use symbols::{SpaceGroup, UnknownSymbol};
+pub use symmetry_elements::SymmetryElements;
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};
 pub use wyckoff::{LocatedSite, SiteCoordinates, WyckoffPosition, WyckoffPositions};

@@ -3,6 +3,7 @@
 //! A scene is a function of its own in a file of its own: it makes a figure with the algebra, and a
 //! test beside it holds what must be true of that figure. Adding one is a row of [`entries`].
 
+mod axial_glides;
 mod balanced_shapes;
 mod bonds;
 mod camera_roll;
@@ -10,21 +11,35 @@ mod conformal_motions;
 mod covariance;
 mod crystals;
 mod folded_vertex;
+mod fundamental_domain;
 mod helix;
+mod hexagonal_screws;
+mod horn;
 mod kaleidoscope;
+mod lattice_of_horns;
 mod meets;
 mod miura;
 mod motif;
 mod motions;
 mod palette;
+mod point_groups;
 mod reflections;
+mod screw_arcs;
+mod screws;
 mod spans;
+mod special_position;
 mod spiral;
 mod stereographic;
 mod tensegrities;
+mod tetragonal;
 
 use crate::crystallography::cif::CifError;
-use crate::crystallography::{CellRangeError, ExpansionError, PointSymbolError};
+use crate::crystallography::overlay::OverlayError;
+use crate::crystallography::symmetry_elements::{NoElement, TooManyElements};
+use crate::crystallography::{
+    CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError, HallError,
+    MotifError, PointSymbolError,
+};
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
 use crate::mesh::MeshError;
@@ -82,6 +97,24 @@ pub enum GalleryError {
     /// A shape could not be warped.
     #[error(transparent)]
     Warp(#[from] WarpError),
+    /// A cell is none.
+    #[error(transparent)]
+    Cell(#[from] CellError),
+    /// A space group could not be read.
+    #[error(transparent)]
+    Hall(#[from] HallError),
+    /// A space group did not grow from its roots.
+    #[error(transparent)]
+    Generation(#[from] GenerationError),
+    /// A pattern could not be made.
+    #[error(transparent)]
+    Motif(#[from] MotifError),
+    /// A fundamental domain could not be found.
+    #[error(transparent)]
+    Domain(#[from] FundamentalDomainError),
+    /// Symmetry elements could not be found or drawn.
+    #[error(transparent)]
+    Overlay(#[from] OverlayError),
     /// A shape could not be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -96,6 +129,18 @@ pub enum GalleryError {
     },
 }
 
+impl From<NoElement> for GalleryError {
+    fn from(error: NoElement) -> Self {
+        Self::Overlay(error.into())
+    }
+}
+
+impl From<TooManyElements> for GalleryError {
+    fn from(error: TooManyElements) -> Self {
+        Self::Overlay(error.into())
+    }
+}
+
 /// The scenes, in the order in which the gallery shows them.
 #[must_use]
 pub const fn entries() -> &'static [Entry] {
@@ -108,19 +153,27 @@ pub const fn entries() -> &'static [Entry] {
             entry("covariance", covariance::scene),
             entry("kaleidoscope", kaleidoscope::scene),
             entry("meets", meets::scene),
+            entry("point-groups", point_groups::scene),
             entry("folded-vertex", folded_vertex::scene),
             entry("diamond", crystals::diamond),
             entry("two-reflections", reflections::scene),
             entry("calcite", crystals::calcite),
+            entry("special-position", special_position::scene),
+            entry("axial-glides", axial_glides::scene),
             entry("tetrahedral-helix", helix::scene),
             entry("expanded-octahedron", tensegrities::octahedron),
             entry("rutile", crystals::rutile),
+            entry("tetragonal", tetragonal::scene),
+            entry("screws", screws::scene),
             entry("motions", motions::scene),
             entry("conformal-motions", conformal_motions::scene),
             entry("miura", miura::scene),
             entry("tensegrity-tower", tensegrities::tower),
             entry("halite", crystals::halite),
             entry("balanced-shapes", balanced_shapes::scene),
+            entry("fundamental-domain", fundamental_domain::scene),
+            entry("screw-arcs", screw_arcs::scene),
+            entry("hexagonal-screws", hexagonal_screws::scene),
             entry("stereographic", stereographic::scene),
             entry("camera-roll", camera_roll::scene),
             entry("tensegrity-solids", tensegrities::solids),

@@ -3,6 +3,7 @@
 mod document;
 mod files;
 mod summary;
+mod symmetry;
 
 use crate::failure::Failure;
 use crate::{output, progress};
@@ -37,6 +38,10 @@ pub struct Arguments {
     /// several times; if one file cannot be made, none is.
     #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(Destination::new))]
     out: Vec<Destination>,
+    /// Draw the symmetry elements of the cells into the files, and list those of one cell in JSON: axes,
+    /// screws, mirror and glide planes, inversion centres, with the symbols of International Tables.
+    #[arg(long)]
+    symmetry: bool,
     /// Print JSON: the contract is told by --help.
     #[arg(long, long_help = JSON)]
     json: bool,
@@ -45,6 +50,7 @@ pub struct Arguments {
 const EXAMPLES: &str = "Examples:
   articulate crystal quartz.cif
   articulate crystal quartz.cif --cells 2x2x2 --out quartz.glb --out quartz.png
+  articulate crystal quartz.cif --symmetry --out quartz.png
   articulate crystal quartz.cif --json | jq '.atoms | length'";
 
 const JSON: &str = "Print JSON:
@@ -55,7 +61,12 @@ const JSON: &str = "Print JSON:
 
 `atoms` is one full unit cell, whatever --cells says; `cells` is the block that files hold. Lengths \
 and `cart` are in ångström, alpha, beta and gamma in radians and again in degrees. a lies along x, b \
-in the plane of x and y. What the file does not say is null. A .json file holds the same.";
+in the plane of x and y. What the file does not say is null. A .json file holds the same.
+
+With --symmetry also, for the elements of one cell modulo whole edges:
+ symmetry_elements:[{kind, symbol, direction:[3], point:[3], glide|screw:[3], inversion_points:[[3]]}]
+
+`kind` is rotation, screw, rotoinversion, mirror, glide or inversion. `symbol` is that of International Tables: 2, 3_1, -4, 2_1/m (inversion centres on the axis), m, a, b, c, n, d, e, g, -1. `direction` is [uvw] of an axis, (hkl) of a plane, null for a centre. `point` is on the element, `screw` and `glide` are the translations along it (of a screw by one n-th of a turn, anticlockwise against its direction), all in fractions of the edges.";
 
 /// The cells asked for. A block too far away is no mistake of spelling: it is kept, to be reported
 /// together with the file.
@@ -96,9 +107,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .cells(crystal, &atoms, range)
         .map_err(unbuildable)?;
 
-    let document = Document::new(crystal, &atoms, range, &arguments.out);
+    let elements = symmetry::elements(file, crystal, arguments.symmetry)?;
+    let mut document = Document::new(crystal, &atoms, range, &arguments.out);
+    document.symmetry_elements = elements.as_ref().map(symmetry::described);
     if !arguments.out.is_empty() {
-        let caption = summary::caption(&document);
+        let caption = symmetry::caption(summary::caption(&document), elements.as_ref());
         let scene = scene::scene(
             &name_of(file),
             &crystal.name,
@@ -111,7 +124,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             file: file.clone(),
             reason,
         };
-        let scene = scene.map_err(drawing)?;
+        let mut scene = scene.map_err(drawing)?;
+        symmetry::draw(file, &mut scene, elements.as_ref(), &crystal.cell, range)?;
         let mut contents = Vec::new();
         for destination in &arguments.out {
             contents.extend(destination.contents(&scene, &document)?);

@@ -5,4 +5,5 @@ mod expand;
 mod failures;
 mod gallery;
 mod run;
+mod symmetry;
 mod tensegrity;

@@ -1,6 +1,7 @@
 //! Decides what is said about a crystal in JSON: the contract with other programs.
 
 use super::files::Destination;
+use super::symmetry::SymmetryElement;
 use ga_design::crystallography::{Atom, CellRange, Crystal};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -30,6 +31,9 @@ pub struct Document {
     pub cells: Block,
     /// The files that were saved.
     pub files: Vec<PathBuf>,
+    /// The symmetry elements of one cell, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub symmetry_elements: Option<Vec<SymmetryElement>>,
 }
 
 /// The six parameters, and what follows from them.
@@ -114,6 +118,7 @@ impl Document {
                 atoms: range.count().saturating_mul(atoms.len() as u64),
             },
             files: files.iter().map(|file| file.path.clone()).collect(),
+            symmetry_elements: None,
         }
     }
 
