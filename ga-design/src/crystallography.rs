@@ -38,6 +38,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod bonds;
 pub mod cell;
 pub mod cell_range;
 pub mod cif;
@@ -52,6 +53,7 @@ pub mod symbols;
 pub mod unit_cell;
 pub mod versor;
 
+pub use bonds::{Bond, BondError, Bonding};
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
 pub use closure::{ClosureError, close};
