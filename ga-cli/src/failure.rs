@@ -2,7 +2,7 @@
 //! where there is one, and the remedy.
 
 use ga_design::crystallography::cif::CifError;
-use ga_design::crystallography::{CellRangeError, ExpansionError};
+use ga_design::crystallography::{BondError, CellRangeError, ExpansionError};
 use ga_design::export::ExportError;
 use ga_design::gallery::GalleryError;
 use std::io::{self, Write};
@@ -23,6 +23,14 @@ pub enum Failure {
         file: PathBuf,
         /// What stands in the way.
         reason: ExpansionError,
+    },
+    /// The bonds of a crystal cannot be found.
+    #[error("{}: {reason} (--no-bonds)", file.display())]
+    Bonds {
+        /// The crystal's file.
+        file: PathBuf,
+        /// What stands in the way.
+        reason: BondError,
     },
     /// More cells are asked for than any program could build.
     #[error("{}: --cells: {reason}; ask for fewer cells (such as 2x2x2)", file.display())]

@@ -52,6 +52,7 @@ pub mod scene;
 pub mod symbols;
 pub mod unit_cell;
 pub mod versor;
+pub mod xyz;
 
 pub use bonds::{Bond, BondError, Bonding};
 pub use cell::{Cell, CellError};

@@ -3,7 +3,6 @@
 //! A scene is a function of its own in a file of its own: it makes a figure with the algebra, and a
 //! test beside it holds what must be true of that figure. Adding one is a row of [`entries`].
 
-mod bonds;
 mod camera_roll;
 mod conformal_motions;
 mod covariance;
@@ -22,7 +21,7 @@ mod spiral;
 mod stereographic;
 
 use crate::crystallography::cif::CifError;
-use crate::crystallography::{CellRangeError, ExpansionError};
+use crate::crystallography::{BondError, CellRangeError, ExpansionError};
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
 use crate::mesh::MeshError;
@@ -66,6 +65,9 @@ pub enum GalleryError {
     /// A crystal could not be built.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),
+    /// The bonds of a crystal could not be found.
+    #[error(transparent)]
+    Bonds(#[from] BondError),
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),

@@ -18,8 +18,10 @@ mod problem;
 mod sites;
 mod symmetry;
 mod token;
+mod write;
 
 pub use problem::Problem;
+pub use write::{write, write_block};
 
 /// The largest file that is read, in bytes.
 pub const LARGEST_FILE: usize = 128 << 20;
