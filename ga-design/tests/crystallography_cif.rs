@@ -278,6 +278,7 @@ fn elements_are_found_in_types_and_labels() {
         ("T1", None),
         ("Ti1", Some("Ti")),
         ("Wat30", Some("O")),
+        ("WatII", Some("O")),
         ("H2OA", Some("O")),
         ("Dum1", None),
         ("Cg", None),

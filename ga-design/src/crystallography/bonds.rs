@@ -9,6 +9,9 @@ mod neighbours;
 use choice::{Candidate, Kind};
 use neighbours::Neighbourhood;
 
+/// How much farther a hydrogen and a metal may be apart.
+const HYDRIDE: f64 = 1.1;
+
 /// Two atoms of a crystal that are joined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bond {
@@ -28,7 +31,8 @@ pub struct Bond {
 /// these
 ///
 /// 1. a pair with a non-metal other than hydrogen is bonded,
-/// 2. a hydrogen and a metal are, where the hydrogen has no bond by the first rule,
+/// 2. a hydrogen and a metal are, where the hydrogen has no bond by the first rule; for them the
+///    greatest distance is a tenth more, since the ion H⁻ of a salt is larger than hydrogen else,
 /// 3. two metals, and two hydrogens, are where neither has a bond by the rules before: metals that
 ///    share the oxygens of an oxide touch these rather than each other,
 ///
@@ -163,9 +167,13 @@ impl Bonding {
 
     fn allows(&self, one: Element, other: Element, distance: f64) -> bool {
         let sum = one.covalent_radius() + other.covalent_radius();
+        let stretch = match [one, other].map(Kind::of) {
+            [Kind::Hydrogen, Kind::Metal] | [Kind::Metal, Kind::Hydrogen] => HYDRIDE,
+            _ => 1.0,
+        };
         one != Element::UNKNOWN
             && other != Element::UNKNOWN
-            && (self.nearest * sum..=self.farthest * sum).contains(&distance)
+            && (self.nearest * sum..=self.farthest * stretch * sum).contains(&distance)
     }
 }
 

@@ -78,7 +78,7 @@ impl Element {
         let text = text.trim();
         let letters: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
         match letters.as_str() {
-            "Wat" => return Self::from_symbol("O"),
+            water if water.starts_with("Wat") => return Self::from_symbol("O"),
             "Cval" => return Self::from_symbol("C"),
             "Siva" | "Sival" => return Self::from_symbol("Si"),
             _ if is_no_atom(&letters) => return None,
@@ -133,7 +133,7 @@ impl Element {
         if letters == "T" || is_no_atom(&letters) {
             return None;
         }
-        let is_water = letters == "Wat" || label.starts_with("H2O");
+        let is_water = letters.starts_with("Wat") || label.starts_with("H2O");
         if is_water || letters == "Oh" || letters == "Ow" {
             return Self::from_symbol("O");
         }

@@ -45,6 +45,8 @@ pub struct Value<'a> {
     pub quoted: bool,
     /// The line on which it begins.
     pub line: usize,
+    /// Where the text begins in the file, in bytes.
+    start: usize,
 }
 
 impl<'a> Value<'a> {
@@ -90,6 +92,14 @@ impl<'a> Tokens<'a> {
             _ => self.word(),
         };
         Ok(Some((token, line)))
+    }
+
+    /// The text from the first of two values to the end of the last, as one value.
+    pub fn joined(&self, first: Value<'a>, last: Value<'a>) -> Value<'a> {
+        Value {
+            text: self.slice(first.start, last.start + last.text.len()),
+            ..first
+        }
     }
 
     fn peek(&self) -> Option<u8> {
@@ -148,6 +158,7 @@ impl<'a> Tokens<'a> {
                         text,
                         quoted: true,
                         line,
+                        start,
                     }));
                 }
                 Some(_) => self.step(),
@@ -168,6 +179,7 @@ impl<'a> Tokens<'a> {
                         text,
                         quoted: true,
                         line,
+                        start,
                     }));
                 }
                 Some(byte) if !is_line_end(byte) => self.at += 1,
@@ -203,6 +215,7 @@ impl<'a> Tokens<'a> {
                         text,
                         quoted: true,
                         line,
+                        start,
                     }));
                 }
                 Some(_) => self.step(),
@@ -230,6 +243,7 @@ impl<'a> Tokens<'a> {
                             text,
                             quoted: true,
                             line,
+                            start,
                         }));
                     }
                 }
@@ -290,6 +304,7 @@ impl<'a> Tokens<'a> {
             text,
             quoted: false,
             line: self.line,
+            start,
         })
     }
 }
