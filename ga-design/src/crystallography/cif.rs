@@ -67,7 +67,7 @@ impl fmt::Display for CifError {
         if let Some(line) = self.line {
             write!(out, "{line}:")?;
         }
-        write!(out, " {}", self.problem)
+        write!(out, " {}", one_line(&self.problem.to_string()))
     }
 }
 
@@ -149,6 +149,14 @@ pub fn read_str(file: &str, text: &str) -> Result<Reading, CifError> {
     }
 }
 
+/// A message without the line ends and other control characters that quoted values may hold.
+fn one_line(message: &str) -> String {
+    message
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
+}
+
 /// A problem at a line.
 #[derive(Debug)]
 struct Located {
@@ -173,7 +181,7 @@ impl Warnings {
         if self.list.len() < 100 {
             self.list.push(Warning {
                 line,
-                message: message.into(),
+                message: one_line(&message.into()),
             });
         }
     }
