@@ -46,7 +46,7 @@ pub enum Failure {
     /// A file cannot be made of a crystal.
     #[error("{}: {reason}", file.display())]
     Drawing {
-        /// The crystal's file.
+        /// The crystal's file, or the one to be made.
         file: PathBuf,
         /// What stands in the way.
         reason: ExportError,

@@ -32,7 +32,7 @@ const SHARED: f64 = 0.1;
 /// The scene of these atoms in a block of cells, in ångström, z up.
 ///
 /// Up to [`MOST_NODES`] atoms each is a node of its own, named by its label, that places the shared
-/// shape `sphere`. More are placed as instances of it, one set for each element, named by the
+/// shape `sphere`; where atoms share a site the most frequent has the largest. More are placed as instances of it, one set for each element, named by the
 /// element; so are the frames of more than [`MOST_NODES`] cells.
 ///
 /// # Errors
@@ -49,13 +49,16 @@ pub fn scene(
     let sphere = scene.add_shape("sphere", mesh::icosphere(sphere_detail(atoms.len()))?);
     let mut materials = Materials::default();
     let mut placed = Placer::new(atoms.len());
-    for atom in atoms {
+    let radius = |atom: &Atom| RADIUS_SCALE * atom.element.covalent_radius();
+    for (atom, instead) in atoms.iter().zip(more_frequent(atoms)) {
         let element: Element = atom.element;
         let material = materials.of(element, &mut scene, |element| {
             Material::new(element.name(), element.colour()).with_roughness(0.35)
         })?;
-        let radius = RADIUS_SCALE * element.covalent_radius();
-        let placement = Placement::at(atom.cart)?.scaled([radius; 3])?;
+        // Of atoms that share a site the most frequent is seen: the others are inside it.
+        let outer = instead.and_then(|at| atoms.get(at)).map(radius);
+        let size = radius(atom).min(outer.map_or(f64::INFINITY, |outer| 0.9 * outer));
+        let placement = Placement::at(atom.cart)?.scaled([size; 3])?;
         placed.place(
             &mut scene,
             atom.label.as_ref(),
@@ -77,8 +80,8 @@ pub fn scene(
 /// # Errors
 /// [`ExportError`] if a position cannot be written.
 pub fn add_bonds(scene: &mut Scene, atoms: &[Atom], bonds: &[Bond]) -> Result<(), ExportError> {
-    let hidden = less_frequent(atoms);
-    let is_shown = |at: &usize| hidden.get(*at).is_some_and(|hidden| !hidden);
+    let instead = more_frequent(atoms);
+    let is_shown = |at: &usize| instead.get(*at).is_some_and(Option::is_none);
     let shown: Vec<_> = bonds
         .iter()
         .filter(|bond| bond.image == [0; 3] && bond.atoms.iter().all(is_shown))
@@ -123,39 +126,37 @@ fn half_rod(from: [f64; 3], to: [f64; 3]) -> Result<Placement, ExportError> {
         .scaled([ROD_RADIUS, ROD_RADIUS, 0.5 * length])
 }
 
-/// For each atom whether another that is there more often shares its site; of equals the first is
-/// kept.
+/// For each atom the one that shares its site and is there more often, if there is one; of equals the
+/// first counts as the more frequent.
 #[must_use]
-pub fn less_frequent(atoms: &[Atom]) -> Vec<bool> {
+pub fn more_frequent(atoms: &[Atom]) -> Vec<Option<usize>> {
     let bin = |atom: &Atom| atom.cart.map(|value| (value / SHARED).round() as i64);
     let mut bins: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
-    for (at, atom) in atoms.iter().enumerate() {
-        if atom.occupancy < 1.0 {
-            bins.entry(bin(atom)).or_default().push(at);
-        }
+    let shared = |atom: &Atom| atom.occupancy < 1.0;
+    for (at, atom) in atoms.iter().enumerate().filter(|(_, atom)| shared(atom)) {
+        bins.entry(bin(atom)).or_default().push(at);
     }
-    let mut hidden = vec![false; atoms.len()];
-    for (at, atom) in atoms.iter().enumerate() {
-        if atom.occupancy >= 1.0 {
-            continue;
+    let find = |(at, atom): (usize, &Atom)| {
+        if !shared(atom) {
+            return None;
         }
         let [x, y, z] = bin(atom);
         let around = (-1..=1)
             .flat_map(|i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [x + i, y + j, z + k])));
-        let mut others = around.filter_map(|bin| bins.get(&bin)).flatten();
-        let is_less = others.any(|&other| {
-            let Some(rival) = atoms.get(other) else {
-                return false;
-            };
+        let others = around.filter_map(|bin| bins.get(&bin)).flatten().copied();
+        let near = others.filter_map(|other| {
+            let rival = atoms.get(other)?;
             let distance = DVec3::from(rival.cart).distance(DVec3::from(atom.cart));
-            let more = rival.occupancy > atom.occupancy;
-            distance < SHARED && (more || (rival.occupancy == atom.occupancy && other < at))
+            (distance < SHARED).then_some((other, rival.occupancy))
         });
-        if let Some(mark) = hidden.get_mut(at) {
-            *mark = is_less;
-        }
-    }
-    hidden
+        // The atom itself is among them.
+        let first = near.reduce(|best, next| {
+            let is_more = next.1 > best.1 || (next.1 == best.1 && next.0 < best.0);
+            if is_more { next } else { best }
+        });
+        first.map(|(best, _)| best).filter(|best| *best != at)
+    };
+    atoms.iter().enumerate().map(find).collect()
 }
 
 fn add_frames(scene: &mut Scene, cell: &Cell, range: CellRange) -> Result<(), ExportError> {

@@ -164,10 +164,10 @@ fn atoms_on_faces(crystal: &Crystal, cells: CellRange) -> Result<Vec<Atom>, Gall
 
 /// Of atoms that share a site, the one that is there most often: a ball can show only one.
 fn only_the_frequent(atoms: Vec<Atom>) -> Vec<Atom> {
-    let hidden = scene::less_frequent(&atoms);
-    let shown = atoms.into_iter().zip(hidden);
+    let instead = scene::more_frequent(&atoms);
+    let shown = atoms.into_iter().zip(instead);
     shown
-        .filter_map(|(atom, hidden)| (!hidden).then_some(atom))
+        .filter_map(|(atom, instead)| instead.is_none().then_some(atom))
         .collect()
 }
 

@@ -221,3 +221,23 @@ fn each_half_of_a_bond_reaches_from_its_atom_to_the_middle() {
     // Eight ions of one cell: a cube of twelve edges, each of two halves.
     assert_eq!(halves, 24);
 }
+
+#[test]
+fn of_atoms_that_share_a_site_the_most_frequent_is_seen() {
+    let text = include_str!("../../data/cif/spinel.cif");
+    let crystal = cif::read_str("spinel.cif", text).unwrap().crystal;
+    let atoms = Expansion::default().unit_cell(&crystal).unwrap();
+    let instead = scene::more_frequent(&atoms);
+    let scene = scene::scene("s", "S", "", &crystal.cell, CellRange::UNIT, &atoms).unwrap();
+    let mut hidden = 0;
+    for ((atom, instead), node) in atoms.iter().zip(instead).zip(scene.nodes()) {
+        let Some(outer) = instead else { continue };
+        hidden += 1;
+        assert_eq!(atoms[outer].fract, atom.fract);
+        assert!(atoms[outer].occupancy >= atom.occupancy);
+        let size = |node: &ga_design::export::Node| node.placement.scale()[0];
+        assert!(size(node) < size(&scene.nodes()[outer]));
+    }
+    // 24 sites of metals, each with two; the oxygens have theirs alone.
+    assert_eq!((atoms.len(), hidden), (80, 24));
+}

@@ -76,7 +76,12 @@ impl Destination {
             atoms,
         } = *block;
         let text = match (self.form, scene) {
-            (Form::Drawn(format), Some(scene)) => return Ok(encode(scene, format, &self.path)?),
+            (Form::Drawn(format), Some(scene)) => {
+                return encode(scene, format, &self.path).map_err(|reason| Failure::Drawing {
+                    file: self.path.clone(),
+                    reason,
+                });
+            }
             // No scene was made for files that are not drawn.
             (Form::Drawn(_), None) => return Ok(Vec::new()),
             (Form::Xyz, _) => xyz::write(&crystal.name, &crystal.cell, range, atoms),
