@@ -66,7 +66,7 @@ impl Neighbourhood {
         };
         let mut homes = Vec::with_capacity(positions.len());
         for (at, fract) in positions.iter().enumerate() {
-            if fract.iter().any(|value| !(value.abs() <= FARTHEST)) {
+            if !fract.iter().all(|value| value.abs() <= FARTHEST) {
                 return Err(BondError::Place(at));
             }
             made.floors.push(fract.map(|value| value.floor() as i32));

@@ -38,7 +38,7 @@ pub fn write(crystal: &Crystal) -> String {
     for site in &crystal.sites {
         let [x, y, z] = site.fract.map(measured);
         let (label, symbol) = (quoted(&site.label), site.element.symbol());
-        let occupancy = site.occupancy;
+        let occupancy = plain(site.occupancy);
         line(
             &mut text,
             format_args!("{label} {symbol} {x} {y} {z} {occupancy}"),
@@ -66,9 +66,9 @@ pub fn write_block(crystal: &Crystal, range: CellRange, atoms: &[Atom]) -> Strin
             // Nine digits of the largest block are less than the last of any measurement.
             (fraction * 1e12).round() / 1e12
         };
-        let [x, y, z] = [0, 1, 2].map(place);
+        let [x, y, z] = [0, 1, 2].map(place).map(plain);
         let (label, symbol) = (quoted(&atom.label), atom.element.symbol());
-        let occupancy = atom.occupancy;
+        let occupancy = plain(atom.occupancy);
         line(
             &mut text,
             format_args!("{label} {symbol} {x} {y} {z} {occupancy}"),
@@ -147,16 +147,25 @@ fn quoted(value: &str) -> String {
     }
 }
 
+/// A number that reads back as itself; tiny ones with an exponent instead of hundreds of zeros.
+fn plain(value: f64) -> String {
+    if value != 0.0 && value.abs() < 1e-9 {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
+}
+
 /// A number with its uncertainty in units of the last digit, where both come out as they were.
 fn measured(value: Measured) -> String {
-    let plain = value.value.to_string();
+    let text = plain(value.value);
     let Some(uncertainty) = value.uncertainty else {
-        return plain;
+        return text;
     };
     let with_digits = (0..=15).find_map(|decimals: usize| {
         let units = (uncertainty * 10f64.powi(decimals as i32)).round();
         let text = format!("{:.decimals$}({units})", value.value);
         (super::number::measured(&text) == Some(value)).then_some(text)
     });
-    with_digits.unwrap_or(plain)
+    with_digits.unwrap_or(text)
 }
