@@ -6,6 +6,8 @@ use ga_design::crystallography::{
 };
 use std::collections::BTreeMap;
 
+type Counts<T> = &'static [(&'static str, T)];
+
 fn crystal(text: &str) -> Crystal {
     let reading = cif::read_str("test.cif", text);
     reading.unwrap_or_else(|error| panic!("{error}")).crystal
@@ -58,7 +60,7 @@ fn cell([a, b, c]: [f64; 3], angles: [f64; 3], group: &str, sites: &[&str]) -> C
 
 #[test]
 fn shipped_crystals_have_the_coordination_of_the_textbooks() {
-    let known: [(&str, &str, &[(&str, &[usize])]); 6] = [
+    let known: [(&str, &str, Counts<&[usize]>); 6] = [
         (
             "quartz",
             include_str!("../data/cif/quartz.cif"),
@@ -113,7 +115,7 @@ fn metals_of_a_shared_site_each_have_their_oxygens() {
 
 #[test]
 fn simple_structures_have_their_coordination() {
-    let cases: [(&str, Crystal, &[(&str, usize)]); 12] = [
+    let cases: [(&str, Crystal, Counts<usize>); 12] = [
         (
             "fluorite",
             cubic(5.463, "F m -3 m", &["Ca 0 0 0", "F 0.25 0.25 0.25"]),

@@ -263,13 +263,11 @@ fn structures_of_other_symmetry_are_told_by_name() {
 
 #[test]
 fn coordinates_in_space_become_fractions() {
-    let text = format!(
-        "data_x\n_cell.length_a 41.4\n_cell.length_b 4.785\n_cell.length_c 18.594\n_cell.angle_alpha 90\n\
+    let text = "data_x\n_cell.length_a 41.4\n_cell.length_b 4.785\n_cell.length_c 18.594\n_cell.angle_alpha 90\n\
          _cell.angle_beta 115.88\n_cell.angle_gamma 90\n_symmetry.space_group_name_H-M 'C 1 2 1'\nloop_\n\
          _atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n\
-         _atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nATOM 1 C CA -4.059 2.3925 8.364\n"
-    );
-    let reading = read(&text);
+         _atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nATOM 1 C CA -4.059 2.3925 8.364\n";
+    let reading = read(text);
     let crystal = &reading.crystal;
     assert_eq!(crystal.number, Some(5));
     assert_eq!(elements(crystal), [("CA", "C")]);
