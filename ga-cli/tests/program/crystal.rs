@@ -249,7 +249,7 @@ fn large_blocks_are_instances_without_bonds_unless_asked_for() {
     );
     // What cannot be spelled out is refused, and nothing is left.
     let words = [
-        "crystal", &halite, "--cells", "30", "--out", "h.stl", "--out", "big.glb",
+        "crystal", &halite, "--cells", "26", "--out", "h.stl", "--out", "big.glb",
     ];
     let message = run(directory.path(), &words).message(1);
     assert!(message.starts_with("error: h.stl: "), "{message}");

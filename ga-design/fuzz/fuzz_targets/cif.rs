@@ -77,8 +77,22 @@ fn change(words: &mut Vec<String>, random: &mut Random) {
 
 fn number(random: &mut Random) -> String {
     const EXTREME: [&str; 16] = [
-        "0", "-0", "1e-300", "1e300", "999.999", "-1000", "0.3333", "1/3", "90.000001", "0.001",
-        "1.0(99)", "179.99", "59.9", "1e5", "2.5(1)e-3", "120",
+        "0",
+        "-0",
+        "1e-300",
+        "1e300",
+        "999.999",
+        "-1000",
+        "0.3333",
+        "1/3",
+        "90.000001",
+        "0.001",
+        "1.0(99)",
+        "179.99",
+        "59.9",
+        "1e5",
+        "2.5(1)e-3",
+        "120",
     ];
     match random.below(3) {
         0 => EXTREME[random.below(EXTREME.len())].to_owned(),
