@@ -9,6 +9,10 @@ mod neighbours;
 use choice::{Candidate, Kind};
 use neighbours::Neighbourhood;
 
+/// The most candidates for each atom. Close packing needs a dozen; what has hundreds is no crystal,
+/// and looking between all of them would take hours.
+const MOST_CANDIDATES: usize = 100;
+
 /// How much farther a hydrogen and a metal may be apart.
 const HYDRIDE: f64 = 1.1;
 
@@ -152,16 +156,21 @@ impl Bonding {
             return Ok(Vec::new());
         }
         let neighbourhood = Neighbourhood::new(cell, positions, reach)?;
+        let most = MOST_CANDIDATES * atoms.len();
         let mut candidates = Vec::new();
         neighbourhood.pairs(|bond| {
             let [Some(one), Some(other)] = bond.atoms.map(|at| atoms.get(at)) else {
                 return;
             };
-            if self.allows(one.element, other.element, bond.length) {
+            let has_room = candidates.len() <= most;
+            if has_room && self.allows(one.element, other.element, bond.length) {
                 let kinds = [one, other].map(|atom| Kind::of(atom.element));
                 candidates.push(Candidate { bond, kinds });
             }
         })?;
+        if candidates.len() > most {
+            return Err(BondError::Crowded);
+        }
         Ok(choice::bonds(&neighbourhood, atoms.len(), candidates))
     }
 
