@@ -58,10 +58,10 @@ const EXAMPLES: &str = "Examples:
   articulate crystal quartz.cif --cells 3 --no-bonds --out quartz.xyz --out block.cif
   articulate crystal quartz.cif --json | jq '.atoms | length'
 
-Colours are those of the program Jmol, radii the covalent radii of Cordero and others (2008). Of a
-block of more than 20000 atoms a .glb file holds instances (EXT_mesh_gpu_instancing), one set for each
-element, instead of a node for each atom; .stl .obj .ply .png hold up to ten million triangles, which
-is some 120000 atoms. A .cif file holds the asymmetric unit with its symmetry if one cell is built, and
+Colours are those of the program Jmol, radii the covalent radii of Cordero and others (2008). Of a \
+block of more than 20000 atoms a .glb file holds instances (EXT_mesh_gpu_instancing), one set for each \
+element, instead of a node for each atom; .stl .obj .ply .png hold up to ten million triangles, which \
+is some 120000 atoms. A .cif file holds the asymmetric unit with its symmetry if one cell is built, and \
 a large cell without symmetry (P 1) if several are.";
 
 const JSON: &str = "Print JSON:
@@ -116,13 +116,21 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .cells(crystal, &atoms, range)
         .map_err(unbuildable)?;
 
-    let bonding = arguments.bonding(built.len());
+    let mut bonding = arguments.bonding(built.len());
     let unbonded = |reason| Failure::Bonds {
         file: file.clone(),
         reason,
     };
-    let bonds = bonding.map(|bonding| bonding.periodic(&crystal.cell, &atoms));
-    let bonds = bonds.transpose().map_err(unbonded)?;
+    let found = bonding.map(|bonding| bonding.periodic(&crystal.cell, &atoms));
+    let (bonds, without_bonds) = match found.transpose() {
+        Ok(bonds) => (bonds, None),
+        Err(reason) if arguments.bonds => return Err(unbonded(reason)),
+        // Nobody asked for them: the crystal is given without.
+        Err(reason) => {
+            bonding = None;
+            (None, Some(reason))
+        }
+    };
     let block = Block {
         crystal,
         range,
@@ -158,6 +166,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             warning.line,
             warning.message
         ));
+    }
+    if let Some(reason) = without_bonds {
+        output::remark(&format!("warning: {}: {reason}", file.display()));
     }
     if arguments.json {
         output::print_json(&document)

@@ -307,3 +307,29 @@ fn help_tells_everything_about_crystals() {
         assert!(help.contains(word), "{word} in {help}");
     }
 }
+
+#[test]
+fn a_crystal_too_crowded_for_bonds_is_given_without_them() {
+    let directory = directory();
+    let text = std::fs::read_to_string(shipped("halite.cif")).expect("the file is there");
+    let crowded = text.replace("5.6401", "0.1");
+    assert_ne!(crowded, text);
+    std::fs::write(directory.path().join("tiny.cif"), crowded).expect("the file is written");
+    let ran = run(directory.path(), &["crystal", "tiny.cif", "--json"]);
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+    assert!(
+        ran.stderr.starts_with("warning: tiny.cif: the atoms crowd"),
+        "{}",
+        ran.stderr
+    );
+    let value: serde_json::Value = serde_json::from_str(&ran.stdout).expect("JSON");
+    assert!(value["bonds"].is_null());
+    // Who asks for them is told that they cannot be had.
+    let words = ["crystal", "tiny.cif", "--bonds", "--out", "x.glb"];
+    let message = run(directory.path(), &words).message(1);
+    assert!(
+        message.starts_with("error: tiny.cif: the atoms crowd"),
+        "{message}"
+    );
+    assert_eq!(names(directory.path()), ["tiny.cif"]);
+}
