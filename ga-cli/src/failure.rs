@@ -3,7 +3,7 @@
 
 use ga_design::crystallography::cif::CifError;
 use ga_design::crystallography::overlay::OverlayError;
-use ga_design::crystallography::{CellRangeError, ExpansionError};
+use ga_design::crystallography::{BondError, CellRangeError, ExpansionError};
 use ga_design::export::ExportError;
 use ga_design::gallery::GalleryError;
 use ga_design::tensegrity::TensegrityError;
@@ -25,6 +25,14 @@ pub enum Failure {
         file: PathBuf,
         /// What stands in the way.
         reason: ExpansionError,
+    },
+    /// The bonds of a crystal cannot be found.
+    #[error("{}: {reason} (--no-bonds)", file.display())]
+    Bonds {
+        /// The crystal's file.
+        file: PathBuf,
+        /// What stands in the way.
+        reason: BondError,
     },
     /// More cells are asked for than any program could build.
     #[error("{}: --cells: {reason}; ask for fewer cells (such as 2x2x2)", file.display())]
@@ -48,7 +56,7 @@ pub enum Failure {
     /// A file cannot be made of a crystal.
     #[error("{}: {reason}", file.display())]
     Drawing {
-        /// The crystal's file.
+        /// The crystal's file, or the one to be made.
         file: PathBuf,
         /// What stands in the way.
         reason: ExportError,

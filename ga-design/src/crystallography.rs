@@ -45,6 +45,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod bonds;
 pub mod cell;
 pub mod cell_range;
 pub mod change_of_basis;
@@ -72,7 +73,9 @@ pub mod symmetry_elements;
 pub mod unit_cell;
 pub mod versor;
 pub mod wyckoff;
+pub mod xyz;
 
+pub use bonds::{Bond, BondError, Bonding};
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
 pub use change_of_basis::{ChangeOfBasis, ChangeOfBasisError};

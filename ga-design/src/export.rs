@@ -30,7 +30,7 @@ pub use error::ExportError;
 pub use gallery::write_gallery;
 pub use material::Material;
 pub use placement::Placement;
-pub use scene::{Line, MaterialId, Node, Scene, Shape, ShapeId, View};
+pub use scene::{Instances, Line, MaterialId, Node, Placed, Scene, Shape, ShapeId, View};
 
 use std::path::{Path, PathBuf};
 

@@ -5,7 +5,6 @@
 
 mod axial_glides;
 mod balanced_shapes;
-mod bonds;
 mod camera_roll;
 mod conformal_motions;
 mod covariance;
@@ -37,8 +36,8 @@ use crate::crystallography::cif::CifError;
 use crate::crystallography::overlay::OverlayError;
 use crate::crystallography::symmetry_elements::{NoElement, TooManyElements};
 use crate::crystallography::{
-    CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError, HallError,
-    MotifError, PointSymbolError,
+    BondError, CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError,
+    HallError, MotifError, PointSymbolError,
 };
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
@@ -85,6 +84,9 @@ pub enum GalleryError {
     /// A crystal could not be built.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),
+    /// The bonds of a crystal could not be found.
+    #[error(transparent)]
+    Bonds(#[from] BondError),
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),

@@ -256,11 +256,14 @@ fn elements_are_found_in_types_and_labels() {
         ("Fe(III)", "Fe"),
         ("T1", "H"),
         ("OH1", "O"),
+        ("Wat", "O"),
+        ("Cval", "C"),
+        ("Siva", "Si"),
     ] {
         let found = Element::from_type_symbol(text).map(Element::symbol);
         assert_eq!(found, Some(symbol), "{text}");
     }
-    for text in ["", "?", "Wat", "X1", "M", "12C", "é", "Q1", "Cval"] {
+    for text in ["", "?", "X1", "M", "12C", "é", "Q1", "Du", "Vac", "Cg1"] {
         assert_eq!(Element::from_type_symbol(text), None, "{text}");
     }
     assert_eq!(
@@ -274,6 +277,11 @@ fn elements_are_found_in_types_and_labels() {
         ("Oh2", Some("O")),
         ("T1", None),
         ("Ti1", Some("Ti")),
+        ("Wat30", Some("O")),
+        ("WatII", Some("O")),
+        ("H2OA", Some("O")),
+        ("Dum1", None),
+        ("Cg", None),
     ] {
         assert_eq!(
             Element::from_label(label).map(Element::symbol),

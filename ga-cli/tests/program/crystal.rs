@@ -171,3 +171,165 @@ fn a_reader_that_stops_reading_is_no_failure() {
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty());
 }
+
+#[test]
+fn bonds_are_told_and_shown_unless_left_out() {
+    let directory = directory();
+    let quartz = shipped("quartz.cif");
+    let words = ["crystal", &quartz, "--json", "--out", "q.glb"];
+    let value = run(directory.path(), &words).json();
+    let bonds = value["bonds"].as_array().expect("a list");
+    // Three silicons with four oxygens each.
+    assert_eq!(bonds.len(), 12);
+    for bond in bonds {
+        let length = bond["length"].as_f64().expect("a number");
+        assert!((1.59..1.63).contains(&length), "{bond}");
+        let ends: Vec<&str> = (0..2)
+            .filter_map(|end| {
+                let at = bond["atoms"][end].as_u64()?;
+                value["atoms"][usize::try_from(at).ok()?]["element"].as_str()
+            })
+            .collect();
+        assert!(ends == ["Si", "O"] || ends == ["O", "Si"], "{bond}");
+        assert_eq!(bond["image"].as_array().map(Vec::len), Some(3));
+    }
+    for atom in value["atoms"].as_array().expect("a list") {
+        let expected = if atom["element"] == "Si" { 4 } else { 2 };
+        assert_eq!(atom["coordination"], expected, "{atom}");
+    }
+    let rods = |file: &str| {
+        let bytes = std::fs::read(directory.path().join(file)).expect("the file is there");
+        let model = gltf::Gltf::from_slice(&bytes).expect("a valid GLB file");
+        let is_rod = |node: &gltf::Node| node.mesh().is_some_and(|mesh| mesh.name() == Some("rod"));
+        model.nodes().filter(is_rod).count()
+    };
+    // Bonds inside the cell only, each of two halves.
+    let inside = bonds
+        .iter()
+        .filter(|bond| bond["image"] == serde_json::json!([0, 0, 0]));
+    assert_eq!(rods("q.glb"), 2 * inside.count());
+    let words = [
+        "crystal",
+        &quartz,
+        "--json",
+        "--no-bonds",
+        "--out",
+        "bare.glb",
+    ];
+    let value = run(directory.path(), &words).json();
+    assert!(value["bonds"].is_null() && value["atoms"][0]["coordination"].is_null());
+    assert_eq!(rods("bare.glb"), 0);
+    // The last word counts.
+    let words = ["crystal", &quartz, "--json", "--no-bonds", "--bonds"];
+    assert!(run(directory.path(), &words).json()["bonds"].is_array());
+}
+
+#[test]
+fn large_blocks_are_instances_without_bonds_unless_asked_for() {
+    let directory = directory();
+    let halite = shipped("halite.cif");
+    let glb = directory.path().join("h.glb");
+    let words = [
+        "crystal", &halite, "--cells", "14", "--json", "--out", "h.glb",
+    ];
+    let value = run(directory.path(), &words).json();
+    assert!(value["bonds"].is_null());
+    assert_eq!(value["cells"]["atoms"], 21_952);
+    // A sphere for each element, and the extension that repeats it.
+    assert_eq!(spheres(&glb), 2);
+    let bytes = std::fs::read(&glb).expect("the file is there");
+    let text = String::from_utf8_lossy(&bytes);
+    assert!(text.contains("EXT_mesh_gpu_instancing"));
+    let words = ["crystal", &halite, "--cells", "14", "--bonds", "--json"];
+    assert_eq!(
+        run(directory.path(), &words).json()["bonds"]
+            .as_array()
+            .map(Vec::len),
+        Some(24)
+    );
+    // What cannot be spelled out is refused, and nothing is left.
+    let words = [
+        "crystal", &halite, "--cells", "26", "--out", "h.stl", "--out", "big.glb",
+    ];
+    let message = run(directory.path(), &words).message(1);
+    assert!(message.starts_with("error: h.stl: "), "{message}");
+    assert!(message.contains("ten million triangles"), "{message}");
+    assert_eq!(names(directory.path()), ["h.glb"]);
+}
+
+#[test]
+fn cif_and_xyz_hold_the_crystal() {
+    let directory = directory();
+    for (file, number, atoms, _) in KNOWN {
+        let shipped = shipped(file);
+        let words = [
+            "crystal", &shipped, "--json", "--out", "one.cif", "--out", "one.xyz",
+        ];
+        let first = run(directory.path(), &words).json();
+        let again = run(directory.path(), &["crystal", "one.cif", "--json"]).json();
+        assert_eq!(again["number"], number, "{file}");
+        for part in ["name", "hm", "cell", "atoms", "bonds"] {
+            assert_eq!(again[part], first[part], "{file}: {part}");
+        }
+        let words = ["crystal", &shipped, "--cells", "2x1x1", "--out", "two.cif"];
+        run(directory.path(), &words).well();
+        let block = run(directory.path(), &["crystal", "two.cif", "--json"]).json();
+        assert_eq!(block["number"], 1, "{file}");
+        assert_eq!(block["atoms"].as_array().map(Vec::len), Some(2 * atoms));
+        let density = |value: &serde_json::Value| value["density"].as_f64().expect("a number");
+        assert!((density(&block) - density(&first)).abs() < 1e-9, "{file}");
+        let xyz = std::fs::read_to_string(directory.path().join("one.xyz")).expect("the file");
+        assert_eq!(
+            xyz.lines().next(),
+            Some(atoms.to_string().as_str()),
+            "{file}"
+        );
+        assert_eq!(xyz.lines().count(), atoms + 2, "{file}");
+    }
+}
+
+#[test]
+fn help_tells_everything_about_crystals() {
+    let directory = directory();
+    let help = run(directory.path(), &["crystal", "--help"]).well();
+    for word in [
+        "--cells",
+        "--out",
+        ".xyz .cif .json",
+        "--bonds",
+        "--no-bonds",
+        "coordination",
+        "EXT_mesh_gpu_instancing",
+        "ten million triangles",
+        "Jmol",
+        "asymmetric unit",
+    ] {
+        assert!(help.contains(word), "{word} in {help}");
+    }
+}
+
+#[test]
+fn a_crystal_too_crowded_for_bonds_is_given_without_them() {
+    let directory = directory();
+    let text = std::fs::read_to_string(shipped("halite.cif")).expect("the file is there");
+    let crowded = text.replace("5.6401", "0.1");
+    assert_ne!(crowded, text);
+    std::fs::write(directory.path().join("tiny.cif"), crowded).expect("the file is written");
+    let ran = run(directory.path(), &["crystal", "tiny.cif", "--json"]);
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+    assert!(
+        ran.stderr.starts_with("warning: tiny.cif: the atoms crowd"),
+        "{}",
+        ran.stderr
+    );
+    let value: serde_json::Value = serde_json::from_str(&ran.stdout).expect("JSON");
+    assert!(value["bonds"].is_null());
+    // Who asks for them is told that they cannot be had.
+    let words = ["crystal", "tiny.cif", "--bonds", "--out", "x.glb"];
+    let message = run(directory.path(), &words).message(1);
+    assert!(
+        message.starts_with("error: tiny.cif: the atoms crowd"),
+        "{message}"
+    );
+    assert_eq!(names(directory.path()), ["tiny.cif"]);
+}

@@ -18,8 +18,10 @@ mod problem;
 mod sites;
 mod symmetry;
 mod token;
+mod write;
 
 pub use problem::Problem;
+pub use write::{write, write_block};
 
 /// The largest file that is read, in bytes.
 pub const LARGEST_FILE: usize = 128 << 20;
@@ -65,7 +67,7 @@ impl fmt::Display for CifError {
         if let Some(line) = self.line {
             write!(out, "{line}:")?;
         }
-        write!(out, " {}", self.problem)
+        write!(out, " {}", one_line(&self.problem.to_string()))
     }
 }
 
@@ -147,6 +149,14 @@ pub fn read_str(file: &str, text: &str) -> Result<Reading, CifError> {
     }
 }
 
+/// A message without the line ends and other control characters that quoted values may hold.
+fn one_line(message: &str) -> String {
+    message
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
+}
+
 /// A problem at a line.
 #[derive(Debug)]
 struct Located {
@@ -171,7 +181,7 @@ impl Warnings {
         if self.list.len() < 100 {
             self.list.push(Warning {
                 line,
-                message: message.into(),
+                message: one_line(&message.into()),
             });
         }
     }

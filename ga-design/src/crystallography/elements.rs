@@ -21,8 +21,15 @@ const UNMEASURED_RADIUS: f64 = 1.50;
 /// assert_eq!(Element::from_type_symbol("Si4+").map(|e| e.symbol()), Some("Si"));
 /// assert_eq!(Element::from_label("O12A").map(|e| e.symbol()), Some("O"));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Element(u8);
+
+/// Words for what is drawn or refined like an atom and is none: dummies, vacancies, centroids,
+/// unassigned peaks.
+fn is_no_atom(letters: &str) -> bool {
+    let words = ["du", "dum", "dummy", "vac", "cg", "cent", "cnt", "unk", "q"];
+    words.iter().any(|word| letters.eq_ignore_ascii_case(word))
+}
 
 struct Row {
     symbol: &'static str,
@@ -64,9 +71,19 @@ impl Element {
 
     /// The element of a type symbol such as `Si4+`, `O2-`, `CA`, `Fe(III)`: the longest symbol of
     /// one or two letters at its beginning that is followed by no further small letter.
+    ///
+    /// The scattering factors `Cval` and `Siva` of valence states count as their elements, `Wat` as
+    /// the oxygen of water.
     pub fn from_type_symbol(text: &str) -> Option<Self> {
         let text = text.trim();
         let letters: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
+        match letters.as_str() {
+            water if water.starts_with("Wat") => return Self::from_symbol("O"),
+            "Cval" => return Self::from_symbol("C"),
+            "Siva" | "Sival" => return Self::from_symbol("Si"),
+            _ if is_no_atom(&letters) => return None,
+            _ => {}
+        }
         let next_is_small = |at: usize| {
             letters
                 .chars()
@@ -87,17 +104,44 @@ impl Element {
 
     /// The element at the beginning of an atom label such as `Si1`, `O12A`, `CL2`, `H_a`.
     ///
-    /// A label begins with the symbol of its element; what follows is free. Two habits of
-    /// mineralogists are known: `Oh` and `Ow` are the oxygens of hydroxyl and water, and `T` is a
-    /// tetrahedral site of unnamed element.
+    /// A label begins with the symbol of its element; what follows is free. Habits of mineralogists
+    /// are known: `Oh` and `Ow` are the oxygens of hydroxyl and water, `Wat` and `H2O` are water,
+    /// shown as its oxygen, and `T` is a tetrahedral site of unnamed element.
     pub fn from_label(label: &str) -> Option<Self> {
+        Self::from_label_among(label, &[])
+    }
+
+    /// As [`Element::from_label`], where it is known which elements the substance has: `OII` is
+    /// oxygen and `Pda1` palladium in a formula that has them, and `HO1` is hydrogen rather than
+    /// holmium.
+    ///
+    /// ```
+    /// use ga_design::crystallography::Element;
+    ///
+    /// let known = ["H", "O", "Pd"].map(|symbol| Element::from_symbol(symbol).unwrap_or_default());
+    /// let found = |label| Element::from_label_among(label, &known).map(Element::symbol);
+    /// assert_eq!(found("HO1"), Some("H"));
+    /// assert_eq!(found("Pda1"), Some("Pd"));
+    /// assert_eq!(found("Fe1"), Some("Fe"));
+    /// ```
+    pub fn from_label_among(label: &str, known: &[Self]) -> Option<Self> {
         let label = label.trim();
-        let mut letters = label.chars().take_while(char::is_ascii_alphabetic);
-        match (letters.next(), letters.next()) {
-            (Some('T'), None) => None,
-            (Some('O'), Some('h' | 'w')) => Self::from_symbol("O"),
-            _ => Self::from_type_symbol(label),
+        let letters: String = label
+            .chars()
+            .take_while(char::is_ascii_alphabetic)
+            .collect();
+        if letters == "T" || is_no_atom(&letters) {
+            return None;
         }
+        let is_water = letters.starts_with("Wat") || label.starts_with("H2O");
+        if is_water || letters == "Oh" || letters == "Ow" {
+            return Self::from_symbol("O");
+        }
+        let heads = [letters.get(..2), letters.get(..1)];
+        let mut heads = heads.into_iter().flatten().filter_map(Self::from_symbol);
+        heads
+            .find(|element| known.contains(element))
+            .or_else(|| Self::from_type_symbol(label))
     }
 
     /// The atomic number; 0 for [`Element::UNKNOWN`].

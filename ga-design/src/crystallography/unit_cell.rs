@@ -96,7 +96,8 @@ pub struct Expansion {
     ///
     /// Never more than a tenth of the smallest distance between opposite faces is used.
     pub merge_distance: f64,
-    /// The most atoms to build (5 million).
+    /// The most atoms to build (5 million): so many take 1.2 gigabytes while they are
+    /// made a scene and written.
     pub most_atoms: u64,
 }
 

@@ -3,6 +3,10 @@
 use super::{ExportError, Format, Line, Material, Scene, Shape};
 use crate::mesh::Mesh;
 
+/// The most triangles that are spelled out: half a gigabyte of them in the tightest format. Only GLB
+/// stores a shape once however often it is placed.
+pub const MOST_TRIANGLES: usize = 10_000_000;
+
 /// A surface of the scene with its vertices where they stand.
 #[derive(Debug, Clone)]
 pub struct PlacedSurface<'a> {
@@ -38,9 +42,9 @@ pub fn surfaces(scene: &Scene) -> impl Iterator<Item = PlacedSurface<'_>> {
             Shape::Surface(mesh) => mesh,
             Shape::Line(_) => return None,
         };
-        let place = &node.placement;
+        let place = node.placement;
         Some(PlacedSurface {
-            name: &node.name,
+            name: node.name,
             material,
             positions: mesh.positions().iter().map(|&p| place.apply(p)).collect(),
             normals: mesh
@@ -61,7 +65,7 @@ pub fn lines(scene: &Scene) -> impl Iterator<Item = PlacedLine<'_>> {
             Shape::Line(line) => line,
         };
         Some(PlacedLine {
-            name: &node.name,
+            name: node.name,
             material,
             points: line
                 .points()
@@ -73,9 +77,8 @@ pub fn lines(scene: &Scene) -> impl Iterator<Item = PlacedLine<'_>> {
     })
 }
 
-/// The number of vertices and of triangles of all surfaces, if the format can count them and there
-/// is at least one.
-pub(super) fn counts(scene: &Scene, format: Format) -> Result<[u32; 2], ExportError> {
+/// The number of vertices and of triangles of all surfaces, if there are at most [`MOST_TRIANGLES`].
+fn totals(scene: &Scene, format: Format) -> Result<[usize; 2], ExportError> {
     scene.check_not_empty()?;
     let mut totals = [0_usize; 2];
     for (_, shape, _) in scene.placed() {
@@ -84,6 +87,25 @@ pub(super) fn counts(scene: &Scene, format: Format) -> Result<[u32; 2], ExportEr
             totals[1] = totals[1].saturating_add(mesh.triangles().len());
         }
     }
+    if totals[1] > MOST_TRIANGLES {
+        return Err(ExportError::TooLarge {
+            format,
+            what: "more than ten million triangles; only .glb stores a shape once and places it \
+                   often",
+        });
+    }
+    Ok(totals)
+}
+
+/// An error where drawing all surfaces would take more memory than a computer has.
+pub(super) fn check_drawable(scene: &Scene, format: Format) -> Result<(), ExportError> {
+    totals(scene, format).map(drop)
+}
+
+/// The number of vertices and of triangles of all surfaces, if the format can count them and there
+/// is at least one.
+pub(super) fn counts(scene: &Scene, format: Format) -> Result<[u32; 2], ExportError> {
+    let totals = totals(scene, format)?;
     if totals[1] == 0 {
         return Err(ExportError::NothingToHold {
             scene: scene.title().to_owned(),

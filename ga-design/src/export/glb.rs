@@ -3,10 +3,10 @@
 //! glTF has y up, designs have z up: a root node turns the whole scene by −90° about x, so that every
 //! node below it keeps the coordinates of the design. Each node is a child of that root and keeps its
 //! name; nodes of one shape and one material share one mesh, which has the name of the shape, and
-//! meshes of one shape share their vertices. Positions, normals and placements are stored in single
-//! precision.
+//! meshes of one shape share their vertices. Instances are one node with the extension
+//! `EXT_mesh_gpu_instancing`. Positions, normals and placements are stored in single precision.
 
-use super::{ExportError, Format, Line, MaterialId, Scene, Shape, ShapeId};
+use super::{ExportError, Format, Line, MaterialId, Placement, Scene, Shape, ShapeId};
 use crate::mesh::Mesh;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -20,6 +20,9 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const LINE_LOOP: u32 = 2;
 const LINE_STRIP: u32 = 3;
 const TRIANGLES: u32 = 4;
+
+// Listed as used, not as required: a program that lacks it still opens the file and shows one of each.
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
 // The container: section 4.4.
 const MAGIC: &[u8; 4] = b"glTF";
@@ -40,42 +43,30 @@ const VERSION: u32 = 2;
 /// [`ExportError`] if the scene is empty or larger than the format's four gigabytes.
 pub fn encode(scene: &Scene) -> Result<Vec<u8>, ExportError> {
     scene.check_not_empty()?;
-    let mut buffer = Buffer::default();
-    let mut primitives: BTreeMap<ShapeId, Value> = BTreeMap::new();
-    let mut mesh_numbers: BTreeMap<(ShapeId, MaterialId), usize> = BTreeMap::new();
-    let mut material_numbers: BTreeMap<MaterialId, usize> = BTreeMap::new();
-    let mut meshes = Vec::new();
-    let mut materials = Vec::new();
+    let mut parts = Parts::default();
     let mut nodes = vec![root(scene)];
     for node in scene.nodes() {
-        let (Some((name, shape)), Some(material)) = (
-            scene.shapes().get(node.shape.0),
-            scene.materials().get(node.material.0),
-        ) else {
-            continue;
-        };
-        // Shapes and materials that no node uses are not written.
-        let mesh = *mesh_numbers
-            .entry((node.shape, node.material))
-            .or_insert_with(|| {
-                let material = *material_numbers.entry(node.material).or_insert_with(|| {
-                    materials.push(material_value(material));
-                    materials.len() - 1
-                });
-                let primitive = primitives.entry(node.shape).or_insert_with(|| match shape {
-                    Shape::Surface(mesh) => buffer.surface(mesh),
-                    Shape::Line(line) => buffer.line(line),
-                });
-                let mut primitive = primitive.clone();
-                if let Value::Object(fields) = &mut primitive {
-                    fields.insert("material".into(), json!(material));
-                }
-                meshes.push(json!({ "name": name, "primitives": [primitive] }));
-                meshes.len() - 1
-            });
-        nodes.push(node_value(node, mesh));
+        if let Some(mesh) = parts.mesh(scene, node.shape, node.material) {
+            nodes.push(node_value(node, mesh));
+        }
     }
-    let document = json!({
+    for all in scene.instances() {
+        if let Some(mesh) = parts.mesh(scene, all.shape, all.material) {
+            let attributes = parts.buffer.placements(&all.placements);
+            nodes.push(json!({
+                "name": all.name,
+                "mesh": mesh,
+                "extensions": { INSTANCING: { "attributes": attributes } },
+            }));
+        }
+    }
+    let Parts {
+        buffer,
+        meshes,
+        materials,
+        ..
+    } = parts;
+    let mut document = json!({
         "asset": {
             "version": "2.0",
             "generator": concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")),
@@ -93,7 +84,53 @@ pub fn encode(scene: &Scene) -> Result<Vec<u8>, ExportError> {
         "bufferViews": buffer.views,
         "buffers": [{ "byteLength": buffer.bytes.len() }],
     });
+    if let (false, Value::Object(fields)) = (scene.instances().is_empty(), &mut document) {
+        fields.insert("extensionsUsed".into(), json!([INSTANCING]));
+    }
     container(document.to_string().into_bytes(), buffer.bytes)
+}
+
+/// What nodes refer to; shapes and materials that none uses are not written.
+#[derive(Default)]
+struct Parts {
+    buffer: Buffer,
+    primitives: BTreeMap<ShapeId, Value>,
+    mesh_numbers: BTreeMap<(ShapeId, MaterialId), usize>,
+    material_numbers: BTreeMap<MaterialId, usize>,
+    meshes: Vec<Value>,
+    materials: Vec<Value>,
+}
+
+impl Parts {
+    /// The number of the mesh that shows this shape in this material.
+    fn mesh(&mut self, scene: &Scene, shape: ShapeId, material: MaterialId) -> Option<usize> {
+        if let Some(mesh) = self.mesh_numbers.get(&(shape, material)) {
+            return Some(*mesh);
+        }
+        let (name, content) = scene.shapes().get(shape.0)?;
+        let look = scene.materials().get(material.0)?;
+        let material_number = *self.material_numbers.entry(material).or_insert_with(|| {
+            self.materials.push(material_value(look));
+            self.materials.len() - 1
+        });
+        let buffer = &mut self.buffer;
+        let primitive = self
+            .primitives
+            .entry(shape)
+            .or_insert_with(|| match content {
+                Shape::Surface(mesh) => buffer.surface(mesh),
+                Shape::Line(line) => buffer.line(line),
+            });
+        let mut primitive = primitive.clone();
+        if let Value::Object(fields) = &mut primitive {
+            fields.insert("material".into(), json!(material_number));
+        }
+        self.meshes
+            .push(json!({ "name": name, "primitives": [primitive] }));
+        let number = self.meshes.len() - 1;
+        self.mesh_numbers.insert((shape, material), number);
+        Some(number)
+    }
 }
 
 /// The root that turns z up into y up, with every other node below it.
@@ -102,7 +139,7 @@ fn root(scene: &Scene) -> Value {
     json!({
         "name": "z up",
         "rotation": [-half, 0.0, 0.0, half],
-        "children": (1..=scene.nodes().len()).collect::<Vec<_>>(),
+        "children": (1..=scene.nodes().len() + scene.instances().len()).collect::<Vec<_>>(),
     })
 }
 
@@ -178,6 +215,47 @@ impl Buffer {
         json!({ "attributes": { "POSITION": positions }, "mode": mode })
     }
 
+    /// The attributes of instances: those that do more than nothing, and always the places.
+    fn placements(&mut self, placements: &[Placement]) -> Value {
+        let mut attributes = Map::new();
+        let places = placements.iter().map(Placement::translation);
+        attributes.insert("TRANSLATION".into(), json!(self.columns(places, "VEC3")));
+        let turns = placements.iter().map(|placement| {
+            let [w, x, y, z] = placement.rotation();
+            [x, y, z, w]
+        });
+        if turns.clone().any(|turn| turn != [0.0, 0.0, 0.0, 1.0]) {
+            attributes.insert("ROTATION".into(), json!(self.columns(turns, "VEC4")));
+        }
+        let scales = placements.iter().map(Placement::scale);
+        if scales.clone().any(|scale| scale != [1.0; 3]) {
+            attributes.insert("SCALE".into(), json!(self.columns(scales, "VEC3")));
+        }
+        Value::Object(attributes)
+    }
+
+    /// An accessor of numbers that are no vertices.
+    fn columns<const N: usize>(
+        &mut self,
+        rows: impl Iterator<Item = [f64; N]>,
+        kind: &str,
+    ) -> usize {
+        let start = self.bytes.len();
+        let mut count = 0;
+        for row in rows {
+            self.bytes
+                .extend(row.map(|value| single(value).to_le_bytes()).as_flattened());
+            count += 1;
+        }
+        let view = self.view(start, None);
+        self.accessor(json!({
+            "bufferView": view,
+            "componentType": FLOAT,
+            "count": count,
+            "type": kind,
+        }))
+    }
+
     /// An accessor of vectors; bounds are required of positions, and must be those of the rounded
     /// numbers.
     fn vectors(&mut self, vectors: &[[f64; 3]], bounded: bool) -> usize {
@@ -196,7 +274,7 @@ impl Buffer {
             }
         }
         let mut accessor = json!({
-            "bufferView": self.view(start, ARRAY_BUFFER),
+            "bufferView": self.view(start, Some(ARRAY_BUFFER)),
             "componentType": FLOAT,
             "count": vectors.len(),
             "type": "VEC3",
@@ -219,7 +297,7 @@ impl Buffer {
             }
         }
         let accessor = json!({
-            "bufferView": self.view(start, ELEMENT_ARRAY_BUFFER),
+            "bufferView": self.view(start, Some(ELEMENT_ARRAY_BUFFER)),
             "componentType": if short { UNSIGNED_SHORT } else { UNSIGNED_INT },
             "count": 3 * triangles.len(),
             "type": "SCALAR",
@@ -233,13 +311,16 @@ impl Buffer {
     }
 
     /// A view of the bytes since `start`; what follows begins at a multiple of four, as floats must.
-    fn view(&mut self, start: usize, target: u32) -> usize {
-        self.views.push(json!({
+    fn view(&mut self, start: usize, target: Option<u32>) -> usize {
+        let mut view = json!({
             "buffer": 0,
             "byteOffset": start,
             "byteLength": self.bytes.len() - start,
-            "target": target,
-        }));
+        });
+        if let (Some(target), Value::Object(fields)) = (target, &mut view) {
+            fields.insert("target".into(), json!(target));
+        }
+        self.views.push(view);
         pad(&mut self.bytes, 0);
         self.views.len() - 1
     }

@@ -1,6 +1,6 @@
 //! Decides how a scene becomes Wavefront OBJ and MTL text: one object per node, z up.
 
-use super::{ExportError, Material, Scene, flatten};
+use super::{ExportError, Format, Material, Scene, flatten};
 use std::collections::HashSet;
 
 /// The two files of a scene in OBJ format.
@@ -22,7 +22,7 @@ pub struct Files {
 /// # Errors
 /// [`ExportError`] if the scene is empty.
 pub fn encode(scene: &Scene, library: &str) -> Result<Files, ExportError> {
-    scene.check_not_empty()?;
+    flatten::check_drawable(scene, Format::Obj)?;
     let names = material_names(scene.materials());
     let name_of = |material: &Material| {
         let position = scene

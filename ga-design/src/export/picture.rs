@@ -17,7 +17,7 @@ mod shadow;
 
 pub use image::Image;
 
-use super::{ExportError, Scene};
+use super::{ExportError, Format, Scene, flatten};
 use backdrop::Backdrop;
 use camera::Camera;
 use geometry::Geometry;
@@ -70,7 +70,7 @@ const MOST_SAMPLES: usize = 1 << 25;
 /// # Errors
 /// [`ExportError`] if the scene is empty or the picture has no pixels or too many.
 pub fn render(scene: &Scene, settings: &Settings) -> Result<Image, ExportError> {
-    scene.check_not_empty()?;
+    flatten::check_drawable(scene, Format::Png)?;
     let sides = 1..=8192;
     let [across, down] = [settings.width, settings.height].map(|side| side as usize);
     let fits = sides.contains(&across) && sides.contains(&down) && across * down <= MOST_SAMPLES;

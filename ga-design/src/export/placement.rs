@@ -122,6 +122,15 @@ impl Placement {
 
     /// Whether every one of the points still has coordinates that may stand in a mesh.
     pub(super) fn check(&self, bounds: [[f64; 3]; 2]) -> Result<(), MeshError> {
+        // Far inside the limits, as nearly always, nothing need be computed.
+        let size = bounds
+            .as_flattened()
+            .iter()
+            .fold(0.0, |m: f64, c| m.max(c.abs()));
+        let farthest = self.translation.abs().max_element() + 2.0 * size * self.scale.max_element();
+        if farthest < LARGEST_COORDINATE {
+            return Ok(());
+        }
         // A placement is affine, so the corners of the bounding box decide for all points.
         for corner in 0..8_u8 {
             let point = std::array::from_fn(|axis| {

@@ -92,6 +92,31 @@ pub struct Node {
     pub placement: Placement,
 }
 
+/// Many things alike: a shape, of a material, at many places.
+///
+/// A crystal of a million atoms is a few of these, where a node for each atom would be more than
+/// most programs open. They have one name together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instances {
+    /// What they are called together, such as the name of an element.
+    pub name: String,
+    /// What each shows.
+    pub shape: ShapeId,
+    /// How each looks.
+    pub material: MaterialId,
+    /// Where they stand.
+    pub placements: Vec<Placement>,
+}
+
+/// A shape at its place, whether a node of its own or one of many instances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed<'a> {
+    /// The name of the node, or of the instances together.
+    pub name: &'a str,
+    /// Where it stands.
+    pub placement: &'a Placement,
+}
+
 /// The direction from which a scene is looked at, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
@@ -133,8 +158,11 @@ pub struct Scene {
     caption: String,
     view: View,
     shapes: Vec<(String, Shape)>,
+    /// The corners of the box around each shape.
+    bounds: Vec<[[f64; 3]; 2]>,
     materials: Vec<Material>,
     nodes: Vec<Node>,
+    instances: Vec<Instances>,
 }
 
 impl Scene {
@@ -152,8 +180,10 @@ impl Scene {
             caption: caption.into(),
             view: View::default(),
             shapes: Vec::new(),
+            bounds: Vec::new(),
             materials: Vec::new(),
             nodes: Vec::new(),
+            instances: Vec::new(),
         }
     }
 
@@ -183,7 +213,10 @@ impl Scene {
 
     /// Adds a shape that nodes may place; the name becomes the name of the mesh in the file.
     pub fn add_shape(&mut self, name: impl Into<String>, shape: impl Into<Shape>) -> ShapeId {
-        self.shapes.push((name.into(), shape.into()));
+        let shape = shape.into();
+        let points = shape.points().iter().map(|&p| glam::DVec3::from(p));
+        self.bounds.push(mesh::bounds(points).unwrap_or_default());
+        self.shapes.push((name.into(), shape));
         ShapeId(self.shapes.len() - 1)
     }
 
@@ -206,20 +239,8 @@ impl Scene {
         placement: Placement,
     ) -> Result<(), ExportError> {
         let name = name.into();
-        let Some((_, placed)) = self.shapes.get(shape.0) else {
-            return Err(ExportError::Foreign {
-                node: name,
-                kind: "shape",
-            });
-        };
-        if material.0 >= self.materials.len() {
-            return Err(ExportError::Foreign {
-                node: name,
-                kind: "material",
-            });
-        }
-        let points = placed.points().iter().map(|&p| glam::DVec3::from(p));
-        placement.check(mesh::bounds(points).unwrap_or_default())?;
+        let bounds = self.bounds_of(&name, shape, material)?;
+        placement.check(bounds)?;
         self.nodes.push(Node {
             name,
             shape,
@@ -227,6 +248,54 @@ impl Scene {
             placement,
         });
         Ok(())
+    }
+
+    /// Places a shape many times, without a node for each; nothing is added for no placements.
+    ///
+    /// In a GLB file they are one node with the extension `EXT_mesh_gpu_instancing`; in every other
+    /// format each is there like a node.
+    ///
+    /// # Errors
+    /// [`ExportError`] as for [`Scene::add_node`].
+    pub fn add_instances(
+        &mut self,
+        name: impl Into<String>,
+        shape: ShapeId,
+        material: MaterialId,
+        placements: Vec<Placement>,
+    ) -> Result<(), ExportError> {
+        let name = name.into();
+        let bounds = self.bounds_of(&name, shape, material)?;
+        for placement in &placements {
+            placement.check(bounds)?;
+        }
+        if !placements.is_empty() {
+            self.instances.push(Instances {
+                name,
+                shape,
+                material,
+                placements,
+            });
+        }
+        Ok(())
+    }
+
+    /// The box around a shape, if the scene has both the shape and the material.
+    fn bounds_of(
+        &self,
+        name: &str,
+        shape: ShapeId,
+        material: MaterialId,
+    ) -> Result<[[f64; 3]; 2], ExportError> {
+        let foreign = |kind| ExportError::Foreign {
+            node: name.to_owned(),
+            kind,
+        };
+        let bounds = self.bounds.get(shape.0).ok_or_else(|| foreign("shape"))?;
+        if material.0 >= self.materials.len() {
+            return Err(foreign("material"));
+        }
+        Ok(*bounds)
     }
 
     /// Adds a shape that is used once, where it is.
@@ -273,6 +342,12 @@ impl Scene {
         &self.nodes
     }
 
+    /// The instances that are no nodes.
+    #[must_use]
+    pub fn instances(&self) -> &[Instances] {
+        &self.instances
+    }
+
     /// The materials, in the order in which they were added.
     #[must_use]
     pub fn materials(&self) -> &[Material] {
@@ -285,17 +360,34 @@ impl Scene {
         &self.shapes
     }
 
-    /// The nodes with their shape and material.
-    pub fn placed(&self) -> impl Iterator<Item = (&Node, &Shape, &Material)> {
-        self.nodes.iter().filter_map(|node| {
-            let (_, shape) = self.shapes.get(node.shape.0)?;
-            Some((node, shape, self.materials.get(node.material.0)?))
-        })
+    /// Everything that is shown, nodes before instances, with shape and material.
+    pub fn placed(&self) -> impl Iterator<Item = (Placed<'_>, &Shape, &Material)> {
+        let nodes = self.nodes.iter().map(|node| {
+            let placed = Placed {
+                name: &node.name,
+                placement: &node.placement,
+            };
+            (placed, node.shape, node.material)
+        });
+        let instances = self.instances.iter().flat_map(|all| {
+            let name = &all.name;
+            let placed = all
+                .placements
+                .iter()
+                .map(move |placement| Placed { name, placement });
+            placed.map(|placed| (placed, all.shape, all.material))
+        });
+        nodes
+            .chain(instances)
+            .filter_map(|(placed, shape, material)| {
+                let (_, shape) = self.shapes.get(shape.0)?;
+                Some((placed, shape, self.materials.get(material.0)?))
+            })
     }
 
-    /// An error if there is no node.
+    /// An error if nothing is shown.
     pub(super) fn check_not_empty(&self) -> Result<(), ExportError> {
-        if self.nodes.is_empty() {
+        if self.nodes.is_empty() && self.instances.is_empty() {
             return Err(ExportError::EmptyScene {
                 scene: self.title.clone(),
             });

@@ -2,16 +2,11 @@
 //! to their neighbours.
 
 use super::GalleryError;
-use super::bonds::add_bonds;
-use crate::crystallography::{Atom, CellRange, Crystal, Expansion, cif, scene};
+use crate::crystallography::{Atom, Bonding, CellRange, Crystal, Expansion, cif, scene};
 use crate::export::{Scene, View};
-use glam::DVec3;
 
 /// How far beyond the last face an atom still counts as lying on it, in cell edges.
 const ON_FACE: f64 = 1e-6;
-
-/// Atoms closer than this, in ångström, share a site.
-const SHARED: f64 = 0.1;
 
 /// A crystal of the gallery.
 struct Example {
@@ -144,7 +139,8 @@ fn build(example: &Example) -> Result<Scene, GalleryError> {
         cells,
         &atoms,
     )?;
-    add_bonds(&mut scene, &atoms)?;
+    let bonds = Bonding::default().between(&atoms)?;
+    scene::add_bonds(&mut scene, &atoms, &bonds)?;
     scene.set_view(example.view)?;
     Ok(scene)
 }
@@ -168,23 +164,21 @@ fn atoms_on_faces(crystal: &Crystal, cells: CellRange) -> Result<Vec<Atom>, Gall
 
 /// Of atoms that share a site, the one that is there most often: a ball can show only one.
 fn only_the_frequent(atoms: Vec<Atom>) -> Vec<Atom> {
-    let mut kept: Vec<Atom> = Vec::with_capacity(atoms.len());
-    for atom in atoms {
-        let at = DVec3::from(atom.cart);
-        let same = |other: &&mut Atom| DVec3::from(other.cart).distance(at) < SHARED;
-        match kept.iter_mut().find(same) {
-            Some(other) if other.occupancy < atom.occupancy => *other = atom,
-            Some(_) => {}
-            None => kept.push(atom),
-        }
-    }
-    kept
+    let instead = scene::more_frequent(&atoms);
+    let shown = atoms.into_iter().zip(instead);
+    shown
+        .filter_map(|(atom, instead)| instead.is_none().then_some(atom))
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::bonds::bonds;
     use super::*;
+    use crate::crystallography::Bond;
+
+    fn bonds(atoms: &[Atom]) -> Result<Vec<Bond>, GalleryError> {
+        Ok(Bonding::default().between(atoms)?)
+    }
 
     fn atoms(file: &str) -> Result<Vec<Atom>, GalleryError> {
         atoms_on_faces(&cif::read_str("file", file)?.crystal, CellRange::UNIT)
@@ -195,7 +189,7 @@ mod tests {
         let atoms = atoms(include_str!("../../data/cif/halite.cif"))?;
         assert_eq!(atoms.len(), 27);
         // The edges of the eight small cubes: 3 directions of 2 · 3 · 3.
-        assert_eq!(bonds(&atoms).len(), 54);
+        assert_eq!(bonds(&atoms)?.len(), 54);
         Ok(())
     }
 
@@ -203,18 +197,21 @@ mod tests {
     fn a_cell_of_diamond_is_shown_with_18_atoms_and_16_bonds() -> Result<(), GalleryError> {
         let atoms = atoms(include_str!("../../data/cif/diamond.cif"))?;
         assert_eq!(atoms.len(), 18);
-        assert_eq!(bonds(&atoms).len(), 16);
+        assert_eq!(bonds(&atoms)?.len(), 16);
         Ok(())
     }
 
     #[test]
     fn every_carbonate_has_its_three_oxygens() -> Result<(), GalleryError> {
         let atoms = atoms(include_str!("../../data/cif/calcite.cif"))?;
-        let pairs = bonds(&atoms);
+        let pairs = bonds(&atoms)?;
         let inside = |i: usize| atoms[i].fract.iter().all(|f| *f > 0.1 && *f < 0.9);
         let carbons = (0..atoms.len()).filter(|&i| atoms[i].element.symbol() == "C" && inside(i));
         for carbon in carbons {
-            let joined = pairs.iter().filter(|pair| pair.contains(&carbon)).count();
+            let joined = pairs
+                .iter()
+                .filter(|pair| pair.atoms.contains(&carbon))
+                .count();
             assert_eq!(joined, 3);
         }
         Ok(())
@@ -228,7 +225,7 @@ mod tests {
             let here = |atom: &&Atom| atom.element.symbol() == element;
             assert!(shown.iter().filter(here).count() >= 8, "{element}");
         }
-        assert!(bonds(&shown).len() >= 96);
+        assert!(bonds(&shown)?.len() >= 96);
         Ok(())
     }
 }

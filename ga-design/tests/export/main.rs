@@ -2,6 +2,7 @@
 
 mod demo;
 mod failures;
+mod instances;
 mod meshes;
 mod page;
 mod pictures;

@@ -48,7 +48,7 @@ fn glb_is_opened_by_the_gltf_crate() {
         let root = shown.nodes().next().unwrap();
         assert_eq!(root.children().count(), scene.nodes().len());
         for (child, (node, shape, material)) in root.children().zip(scene.placed()) {
-            assert_eq!(child.name(), Some(node.name.as_str()));
+            assert_eq!(child.name(), Some(node.name));
             let (translation, rotation, scale) = child.transform().decomposed();
             assert_eq!(translation, node.placement.translation().map(|c| c as f32));
             let [w, x, y, z] = node.placement.rotation().map(|c| c as f32);

@@ -2,7 +2,8 @@
 
 use super::files::Destination;
 use super::symmetry::SymmetryElement;
-use ga_design::crystallography::{Atom, CellRange, Crystal};
+use ga_design::crystallography::bonds::coordination;
+use ga_design::crystallography::{Atom, Bond, CellRange, Crystal};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -27,6 +28,8 @@ pub struct Document {
     pub density: Option<f64>,
     /// The atoms of one unit cell.
     pub atoms: Vec<CellAtom>,
+    /// The bonds of the unit cell, those across its faces included; nothing where none were looked for.
+    pub bonds: Option<Vec<CellBond>>,
     /// The block of cells that was built.
     pub cells: Block,
     /// The files that were saved.
@@ -74,6 +77,19 @@ pub struct CellAtom {
     pub cart: [f64; 3],
     /// The part of the cells in which it is there.
     pub occupancy: f64,
+    /// The number of its bonds; nothing where none were looked for.
+    pub coordination: Option<usize>,
+}
+
+/// A bond of the unit cell.
+#[derive(Debug, Serialize)]
+pub struct CellBond {
+    /// The atoms that it joins, counted from 0.
+    pub atoms: [usize; 2],
+    /// The cell of the second, in cell edges.
+    pub image: [i32; 3],
+    /// In ångström.
+    pub length: f64,
 }
 
 /// A block of cells.
@@ -89,7 +105,15 @@ pub struct Block {
 
 impl Document {
     /// What is to be said about a crystal with these atoms in its unit cell.
-    pub fn new(crystal: &Crystal, atoms: &[Atom], range: CellRange, files: &[Destination]) -> Self {
+    pub fn new(
+        crystal: &Crystal,
+        atoms: &[Atom],
+        bonds: Option<&[Bond]>,
+        range: CellRange,
+        files: &[Destination],
+    ) -> Self {
+        let counts = bonds.map(|bonds| coordination(bonds, atoms.len()));
+        let count = |at: usize| counts.as_ref().and_then(|counts| counts.get(at).copied());
         let [a, b, c] = crystal.cell.edges();
         let [alpha_deg, beta_deg, gamma_deg] = crystal.cell.angles();
         let volume = crystal.cell.volume();
@@ -111,7 +135,12 @@ impl Document {
                 volume,
             },
             density: density(atoms, volume),
-            atoms: atoms.iter().map(described).collect(),
+            atoms: atoms
+                .iter()
+                .enumerate()
+                .map(|(at, atom)| described(atom, count(at)))
+                .collect(),
+            bonds: bonds.map(|bonds| bonds.iter().map(joined).collect()),
             cells: Block {
                 from: range.low,
                 to: range.high,
@@ -132,13 +161,27 @@ impl Document {
     }
 }
 
-fn described(atom: &Atom) -> CellAtom {
+fn described(atom: &Atom, coordination: Option<usize>) -> CellAtom {
     CellAtom {
         label: atom.label.to_string(),
         element: atom.element.symbol(),
         fract: atom.fract,
         cart: atom.cart,
         occupancy: atom.occupancy,
+        coordination,
+    }
+}
+
+fn joined(bond: &Bond) -> CellBond {
+    let Bond {
+        atoms,
+        image,
+        length,
+    } = *bond;
+    CellBond {
+        atoms,
+        image,
+        length,
     }
 }
 

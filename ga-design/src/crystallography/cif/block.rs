@@ -237,6 +237,7 @@ impl<'a> Reader<'a> {
     ) -> Result<(), Located> {
         match self.next()? {
             Some((Token::Value(value), _)) => {
+                let value = self.whole_symbol(tag, value, warnings)?;
                 block.add_item(tag, value, warnings);
                 Ok(())
             }
@@ -251,6 +252,37 @@ impl<'a> Reader<'a> {
                 Ok(())
             }
         }
+    }
+
+    /// A symbol of a space group has blanks; where its marks were forgotten, the rest of its line
+    /// belongs to it.
+    fn whole_symbol(
+        &mut self,
+        tag: &str,
+        mut value: Value<'a>,
+        warnings: &mut Warnings,
+    ) -> Result<Value<'a>, Located> {
+        let tag = normalized(tag);
+        if value.quoted || !(tag.contains("name_h-m") || tag.contains("name_hall")) {
+            return Ok(value);
+        }
+        let first = value;
+        loop {
+            match self.next()? {
+                Some((Token::Value(next), line)) if line == first.line && !next.quoted => {
+                    value = self.tokens.joined(first, next);
+                }
+                other => {
+                    self.pending = other;
+                    break;
+                }
+            }
+        }
+        if value != first {
+            let message = format!("`{:.40}` has blanks and should stand in marks", value.text);
+            warnings.add(value.line, message);
+        }
+        Ok(value)
     }
 
     fn looped(

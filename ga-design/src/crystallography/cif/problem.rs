@@ -37,6 +37,12 @@ pub enum Problem {
     /// A text field that does not end.
     #[error("a text field begins here and is cut off: no line that begins with `;` closes it")]
     OpenText,
+    /// A quotation in three marks that does not end.
+    #[error("a text in triple quotation marks begins here and is cut off: they do not close")]
+    OpenTriple,
+    /// A list or table that does not end.
+    #[error("a list or table begins here and is cut off: the closing bracket is missing")]
+    OpenList,
     /// A save frame that does not end.
     #[error("a save frame begins here and is cut off: the closing `save_` is missing")]
     OpenFrame,
@@ -97,7 +103,7 @@ pub enum Problem {
         /// The value found.
         found: f64,
     },
-    /// A negative or enormous occupancy.
+    /// A negative occupancy.
     #[error("`{tag}` is {found}; an occupancy lies between 0 and 1")]
     Occupancy {
         /// The data name.
@@ -112,6 +118,18 @@ pub enum Problem {
          (`_space_group_IT_number`) of the space group"
     )]
     NoSymmetry,
+    /// A magnetic structure.
+    #[error(
+        "a magnetic structure: its operations also reverse time, and they are not read; add those of \
+         the structure without moments (`_space_group_symop_operation_xyz`), or its symbol"
+    )]
+    Magnetic,
+    /// A modulated structure.
+    #[error(
+        "a modulated structure: its symmetry is that of more than three dimensions and is not read; \
+         add that of the average structure (`_space_group_symop_operation_xyz`)"
+    )]
+    Modulated,
     /// An operation that cannot be read.
     #[error("the symmetry operation `{text}` is wrong: {reason}")]
     Operation {

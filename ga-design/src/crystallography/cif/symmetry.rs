@@ -30,6 +30,25 @@ const HERMANN_MAUGUIN: [&str; 4] = [
 ];
 const NUMBER: [&str; 2] = ["_space_group_it_number", "_symmetry_int_tables_number"];
 
+/// The symmetry of structures with magnetic moments (magCIF).
+const MAGNETIC: [&str; 7] = [
+    "_space_group_symop_magn_operation_xyz",
+    "_space_group_symop_magn_id",
+    "_space_group_symop_magn_operation_mxmymz",
+    "_space_group_magn_symop_operation_xyz",
+    "_space_group_magn_number_bns",
+    "_space_group_magn_name_bns",
+    "_parent_space_group_name_h-m_alt",
+];
+
+/// The symmetry of structures with a modulation (msCIF).
+const MODULATED: [&str; 4] = [
+    "_space_group_symop_ssg_operation_algebraic",
+    "_space_group_symop_ssg_id",
+    "_space_group_ssg_name",
+    "_space_group_ssg_name_it",
+];
+
 const COORDINATE_SYSTEM: [&str; 1] = ["_space_group_it_coordinate_system_code"];
 
 /// The most operations that a file may list.
@@ -199,7 +218,7 @@ fn named(block: &Block<'_>, cell: &Cell, warnings: &mut Warnings) -> Result<Symm
             written_number.map(SpaceGroup::settings).unwrap_or_default(),
             value.line,
         ),
-        (None, None) => return Err(Located::new(block.line, Problem::NoSymmetry)),
+        (None, None) => return Err(Located::new(block.line, without_symmetry(block))),
     };
     let disagrees = |number: &u32| settings.iter().all(|group| group.number != *number);
     if let Some(number) = written_number.filter(disagrees) {
@@ -209,8 +228,35 @@ fn named(block: &Block<'_>, cell: &Cell, warnings: &mut Warnings) -> Result<Symm
     fitting(&settings, cell, line, warnings)
 }
 
-/// The symbol with the choice of origin or axes that another data name may hold.
+/// What to say of a block that has none of the symmetry that is read: it may have another kind.
+fn without_symmetry(block: &Block<'_>) -> Problem {
+    if block.has(&MAGNETIC) {
+        Problem::Magnetic
+    } else if block.has(&MODULATED) {
+        Problem::Modulated
+    } else {
+        Problem::NoSymmetry
+    }
+}
+
+/// The symbol with the choice of origin or axes that a remark in braces, as in
+/// `R 3 c {rhombohedral axes}`, or another data name may hold.
 fn qualified(block: &Block<'_>, symbol: &str) -> String {
+    if let Some((symbol, remark)) = symbol.split_once('{') {
+        let remark = remark.trim().to_ascii_lowercase();
+        let axes = [
+            ("rhomb", ":R"),
+            ("hex", ":H"),
+            ("origin 1", ":1"),
+            ("origin 2", ":2"),
+        ];
+        let chosen = axes.iter().find(|(word, _)| remark.starts_with(word));
+        return format!(
+            "{}{}",
+            symbol.trim(),
+            chosen.map_or("", |(_, choice)| choice)
+        );
+    }
     let code = block
         .first(&COORDINATE_SYSTEM)
         .and_then(|(_, value)| value.known());

@@ -8,6 +8,13 @@
 //! name      = "_" and what follows up to a blank
 //! value     = anything else up to a blank
 //! ```
+//!
+//! In a file that begins with `#\#CIF_2.0` there are also
+//!
+//! ```text
+//! triple    = ''' or """, up to the same three marks, over lines
+//! list      = "[" values "]", and table = "{" names and values "}"; each one value, not looked into
+//! ```
 
 use super::Located;
 use super::problem::Problem;
@@ -38,6 +45,8 @@ pub struct Value<'a> {
     pub quoted: bool,
     /// The line on which it begins.
     pub line: usize,
+    /// Where the text begins in the file, in bytes.
+    start: usize,
 }
 
 impl<'a> Value<'a> {
@@ -54,6 +63,7 @@ pub struct Tokens<'a> {
     text: &'a str,
     at: usize,
     line: usize,
+    is_version_2: bool,
 }
 
 impl<'a> Tokens<'a> {
@@ -63,6 +73,7 @@ impl<'a> Tokens<'a> {
             text,
             at: 0,
             line: 1,
+            is_version_2: text.starts_with("#\\#CIF_2.0"),
         }
     }
 
@@ -75,10 +86,20 @@ impl<'a> Tokens<'a> {
         };
         let token = match byte {
             b';' if self.at_line_start() => self.text_field()?,
+            b'\'' | b'"' if self.is_version_2 && self.begins_triple() => self.triple()?,
             b'\'' | b'"' => self.quoted(byte)?,
+            b'[' | b'{' if self.is_version_2 => self.container()?,
             _ => self.word(),
         };
         Ok(Some((token, line)))
+    }
+
+    /// The text from the first of two values to the end of the last, as one value.
+    pub fn joined(&self, first: Value<'a>, last: Value<'a>) -> Value<'a> {
+        Value {
+            text: self.slice(first.start, last.start + last.text.len()),
+            ..first
+        }
     }
 
     fn peek(&self) -> Option<u8> {
@@ -137,6 +158,7 @@ impl<'a> Tokens<'a> {
                         text,
                         quoted: true,
                         line,
+                        start,
                     }));
                 }
                 Some(_) => self.step(),
@@ -157,7 +179,96 @@ impl<'a> Tokens<'a> {
                         text,
                         quoted: true,
                         line,
+                        start,
                     }));
+                }
+                Some(byte) if !is_line_end(byte) => self.at += 1,
+                _ => {
+                    let quote = char::from(quote);
+                    return Err(Located::new(line, Problem::OpenQuote { quote }));
+                }
+            }
+        }
+    }
+
+    /// Whether three equal bytes stand here.
+    fn begins_triple(&self) -> bool {
+        let first = self.peek();
+        self.byte(self.at + 1) == first && self.byte(self.at + 2) == first
+    }
+
+    fn triple(&mut self) -> Result<Token<'a>, Located> {
+        let (mark, line) = (self.peek(), self.line);
+        self.at += 3;
+        let start = self.at;
+        loop {
+            match self.peek() {
+                None => return Err(Located::new(line, Problem::OpenTriple)),
+                byte if byte == mark && self.begins_triple() => {
+                    // Of four and more marks the last three close.
+                    while self.byte(self.at + 3) == mark {
+                        self.at += 1;
+                    }
+                    let text = self.slice(start, self.at);
+                    self.at += 3;
+                    return Ok(Token::Value(Value {
+                        text,
+                        quoted: true,
+                        line,
+                        start,
+                    }));
+                }
+                Some(_) => self.step(),
+            }
+        }
+    }
+
+    /// A list or table as one value: what stands between its brackets has no meaning for a crystal.
+    fn container(&mut self) -> Result<Token<'a>, Located> {
+        let (start, line) = (self.at, self.line);
+        let mut depth = 0_usize;
+        loop {
+            match self.peek() {
+                None => return Err(Located::new(line, Problem::OpenList)),
+                Some(b'[' | b'{') => {
+                    depth += 1;
+                    self.at += 1;
+                }
+                Some(b']' | b'}') => {
+                    depth -= 1;
+                    self.at += 1;
+                    if depth == 0 {
+                        let text = self.slice(start, self.at);
+                        return Ok(Token::Value(Value {
+                            text,
+                            quoted: true,
+                            line,
+                            start,
+                        }));
+                    }
+                }
+                Some(b'\'' | b'"') if self.begins_triple() => {
+                    self.triple()?;
+                }
+                Some(mark @ (b'\'' | b'"')) => self.marked(mark)?,
+                Some(b';') if self.at_line_start() => {
+                    self.text_field()?;
+                }
+                Some(b'#') => self.skip(),
+                Some(_) => self.step(),
+            }
+        }
+    }
+
+    /// Steps over a quotation inside a list or table, where any equal mark closes.
+    fn marked(&mut self, quote: u8) -> Result<(), Located> {
+        let line = self.line;
+        self.at += 1;
+        loop {
+            match self.peek() {
+                Some(byte) if byte == quote => {
+                    self.at += 1;
+                    return Ok(());
                 }
                 Some(byte) if !is_line_end(byte) => self.at += 1,
                 _ => {
@@ -193,6 +304,7 @@ impl<'a> Tokens<'a> {
             text,
             quoted: false,
             line: self.line,
+            start,
         })
     }
 }
