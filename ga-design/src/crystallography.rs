@@ -54,7 +54,7 @@
 //!
 //! let cell = CellParameters::Tetragonal { a: 4.594, c: 2.959 }.cell()?;
 //! let error = CellShape::Cubic.check(&cell).unwrap_err();
-//! assert_eq!(error.to_string(), "cubic needs a = b = c; here a = 4.594, b = 4.594, c = 2.959");
+//! assert_eq!(error.to_string(), "cubic needs b = c; here b = 4.594, c = 2.959");
 //! # Ok::<(), ga_design::crystallography::CellError>(())
 //! ```
 //!
@@ -63,7 +63,8 @@
 //! A root joined to a fraction of an edge becomes a glide, a product of two of them a screw: all
 //! 230 [`SpaceGroup`]s grow from generators such as `T_c^{1/2} ab` by composition modulo the
 //! lattice. Each element is a versor ([`Isometry`]) that moves any multivector, and at the same time
-//! an exact [`Operation`] `(W, w)`: fractional coordinates are columns, `x ↦ W x + w`.
+//! an exact [`Operation`] `(W, w)`: fractional coordinates are columns, `x ↦ W x + w`. Hall symbols
+//! ([`hall`]) make the operations a second way, without any roots, and each way tests the other.
 //!
 //! ```
 //! use ga_design::crystallography::{CellParameters, SpaceGroup};
@@ -175,6 +176,7 @@ pub mod scene;
 mod smith;
 pub mod subperiodic;
 pub mod symbols;
+mod symmetry_directions;
 pub mod unit_cell;
 pub mod versor;
 pub mod wyckoff;
