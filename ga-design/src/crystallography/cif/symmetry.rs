@@ -129,24 +129,27 @@ fn from_operations(
         };
     };
     disagreement(written_number, found.number, warnings);
-    let standard = SpaceGroup::standard(found.number).map(SpaceGroup::qualified_symbol);
-    warnings.add(
-        block.line,
-        format!(
-            "the setting of the operations is in no table; they are those of `{}` (number {}), whose \
-             coordinates in terms of these are {}",
-            standard.as_deref().unwrap_or_default(),
-            found.number,
-            found.from_standard
-        ),
-    );
     let means_it = |text: &&str| {
         let settings = SpaceGroup::from_symbol(text).unwrap_or_default();
         settings.iter().any(|group| group.number == found.number)
     };
+    let symbol = written_symbol.filter(means_it);
+    let standard = SpaceGroup::standard(found.number).map(SpaceGroup::qualified_symbol);
+    if symbol.is_none() && written_number.is_none_or(|(number, _)| number != found.number) {
+        warnings.add(
+            block.line,
+            format!(
+                "the setting of the operations is in no table; they are those of `{}` (number {}), \
+                 whose coordinates in terms of these are {}",
+                standard.as_deref().unwrap_or_default(),
+                found.number,
+                found.from_standard
+            ),
+        );
+    }
     Symmetry {
         number: Some(found.number),
-        hermann_mauguin: written_symbol.filter(means_it).map(shortened).or(standard),
+        hermann_mauguin: symbol.map(shortened).or(standard),
         operations,
     }
 }
