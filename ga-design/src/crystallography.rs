@@ -1,26 +1,137 @@
-//! Which parts of crystallography there are, and how a file becomes atoms: text → [`Crystal`] →
-//! [`Placement`]s → [`Atom`]s.
+//! Which parts of crystallography there are, in the terms of *International Tables for
+//! Crystallography*: from three root vectors to every group, and from a file to its atoms.
 //!
 //! ```text
-//! cif::read_file ──► Crystal { cell, operations, sites } ──► expand ──► Vec<Atom>
-//!                      ▲              ▲
-//!        hall, symbols ┘              └ Placement: ≤ 3 reflections, then a translation
-//!                                       └ Isometry: the same as versors
-//!
-//! p, q ──► Roots ──► PointGroup             a geometric symbol such as `b(4)2`
-//!            └─ lattice, generators ──► SpaceGroup::generate ──► Isometry, Operation
+//!  p, q ─► Roots a, b, c ─► PointGroup                      symbols: 43, b(4)2, m-3m, Oh
+//!              │                 │ order, classes
+//!              │        CellParameters ─► Cell ─► edges     BravaisLattice, Centring
+//!              └───────┬─────────┘
+//!                      ▼
+//!  SpaceGroupGenerators ─► SpaceGroup::generate ─► Generation: versors + operations
+//!                      ▲                                 │
+//!  number, symbol ─► SpaceGroup::find          ┌─────────┼───────────────┐
+//!  operations ─► SpaceGroup::recognise         ▼         ▼               ▼
+//!       └─► number + ChangeOfBasis      WyckoffPositions │        SubperiodicGroup
+//!                                                        ▼
+//!  CIF text ─► cif ─► Crystal { cell, operations, sites } ─► Placement ─► Atoms
 //! ```
 //!
-//! Beside this way stand the groups themselves: [`SpaceGroup`] by every symbol and setting,
-//! [`SubperiodicGroup`] for friezes, wallpapers, rods and layers, [`WyckoffPositions`] for special
-//! places, [`Recognition`] of a list of operations, and [`ChangeOfBasis`] between settings.
+//! # 1. Roots
 //!
-//! Symmetry is exact (integers and rationals modulo the lattice); only lengths and coordinates
-//! are floating point. Fractional coordinates are columns, so an operation `(W, w)` maps `x` to
-//! `W x + w`, as in *International Tables for Crystallography*, volume A.
+//! Two mirrors at the angle π/p make a rotation by 2π/p. [`Roots`] are three unit vectors, the
+//! normals of mirrors: **a** and **b** at π/p, **b** and **c** at π/q, **c** and **a** at a right
+//! angle. They exist when 1/p + 1/q > 1/2 (or p = 1 fits), crystal or not.
 //!
 //! ```
-//! use ga_design::crystallography::{SpaceGroup, Expansion, cif};
+//! use ga_design::crystallography::Roots;
+//!
+//! assert!(Roots::new(5, 3).is_ok()); // the icosahedron
+//! assert!(Roots::new(4, 5).unwrap_err().to_string().contains("do not close"));
+//! ```
+//!
+//! # 2. Point groups
+//!
+//! A [`PointGroup`] consists of words in the roots. Its geometric symbol `pq` has the mirrors **a**,
+//! **b**, **c** as generators; a bar, written `b(p)`, leaves their product only: `b(4)2` has the
+//! rotation **ab** and the mirror **c**. 32 of them leave a lattice in place: the [`CrystalClass`]es.
+//!
+//! ```
+//! use ga_design::crystallography::PointGroup;
+//!
+//! let cube = PointGroup::from_geometric("43")?;
+//! assert_eq!((cube.order(), cube.crystal_class().map(|class| class.international)), (48, Some("m-3m")));
+//! # Ok::<(), ga_design::crystallography::PointSymbolError>(())
+//! ```
+//!
+//! # 3. Lattices
+//!
+//! A lattice is seen through a [`Cell`] with edges a, b, c. [`CellParameters`] holds what a
+//! [`CrystalSystem`] leaves free, [`CellShape::check`] names the constraint that a cell breaks, and
+//! a [`Centring`] P, A, B, C, F, I or R puts further points into it: the 14 [`BravaisLattice`]s.
+//!
+//! ```
+//! use ga_design::crystallography::{CellParameters, CellShape};
+//!
+//! let cell = CellParameters::Tetragonal { a: 4.594, c: 2.959 }.cell()?;
+//! let error = CellShape::Cubic.check(&cell).unwrap_err();
+//! assert_eq!(error.to_string(), "cubic needs b = c; here b = 4.594, c = 2.959");
+//! # Ok::<(), ga_design::crystallography::CellError>(())
+//! ```
+//!
+//! # 4. Space groups
+//!
+//! A root joined to a fraction of an edge becomes a glide, a product of two of them a screw: all
+//! 230 [`SpaceGroup`]s grow from generators such as `T_c^{1/2} ab` by composition modulo the
+//! lattice. Each element is a versor ([`Isometry`]) that moves any multivector, and at the same time
+//! an exact [`Operation`] `(W, w)`: fractional coordinates are columns, `x ↦ W x + w`. Hall symbols
+//! ([`hall`]) make the operations a second way, without any roots, and each way tests the other.
+//!
+//! ```
+//! use ga_design::crystallography::{CellParameters, SpaceGroup};
+//!
+//! let group = SpaceGroup::find("P 41 2 2")?[0];
+//! let cell = CellParameters::Tetragonal { a: 5.0, c: 12.0 }.cell()?;
+//! let grown = group.generate(&cell)?;
+//! assert_eq!(grown.representatives().len(), 8);
+//! assert!(grown.operations().contains(&"-y,x,z+1/4".parse()?));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # 5. Settings
+//!
+//! One group has many descriptions: unique axes, cell choices, origins 1 and 2, hexagonal (`:H`) or
+//! rhombohedral (`:R`) axes. [`SpaceGroup::find`] reads numbers, Hermann–Mauguin, Schoenflies, Hall
+//! and geometric symbols; a [`ChangeOfBasis`] `(P, p)` leads from one setting to another; and
+//! [`SpaceGroup::recognise`] tells the group of operations in a setting that no table lists.
+//!
+//! ```
+//! use ga_design::crystallography::{Operation, SpaceGroup, close};
+//!
+//! assert_eq!(SpaceGroup::find("P2₁/n")?[0].symbol, "P 1 21/n 1");
+//! // An inversion away from the origin.
+//! let inversion: Operation = "1/5-x,-y,-z".parse()?;
+//! let found = SpaceGroup::recognise(&close(&[inversion])?);
+//! assert_eq!(found.map(|found| found.number), Some(2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # 6. Positions
+//!
+//! The points that an operation keeps are special: fewer copies, more symmetry.
+//! [`WyckoffPositions`] lists them with multiplicity, letter and site symmetry, and
+//! [`WyckoffPositions::locate`] snaps a point to the most special one nearby.
+//!
+//! ```
+//! use ga_design::crystallography::WyckoffPositions;
+//!
+//! let halite = WyckoffPositions::standard(225);
+//! let sodium = halite.as_ref().and_then(|all| all.position('a'));
+//! assert_eq!(sodium.map(|p| (p.symbol(), p.site_symmetry.as_str())), Some(("4a".into(), "m-3m")));
+//! ```
+//!
+//! # 7. Subperiodic groups
+//!
+//! A [`SubperiodicGroup`] repeats in fewer directions than the space has: 7 frieze, 17 plane
+//! (wallpaper), 75 rod and 80 layer groups, with settings and positions as above.
+//!
+//! ```
+//! use ga_design::crystallography::{SubperiodicGroup, SubperiodicKind};
+//!
+//! let found = SubperiodicGroup::from_symbol(SubperiodicKind::Plane, "p 6 m m")?;
+//! let positions = found[0].wyckoff_positions().unwrap_or_default();
+//! let symbols: Vec<String> = positions.iter().map(|position| position.symbol()).collect();
+//! assert_eq!(symbols.join(" "), "1a 2b 3c 6d 6e 12f");
+//! # Ok::<(), ga_design::crystallography::UnknownSubperiodicSymbol>(())
+//! ```
+//!
+//! # 8. Crystals
+//!
+//! A [`Crystal`] is a cell, its operations and the sites that differ by more than symmetry;
+//! [`Expansion`] places all their copies. Symmetry is exact (integers and rationals modulo the
+//! lattice); only lengths and coordinates are floating point.
+//!
+//! ```
+//! use ga_design::crystallography::{Expansion, cif};
 //!
 //! let text = "data_halite
 //! _cell_length_a 5.6401
@@ -69,6 +180,7 @@ pub mod scene;
 mod smith;
 pub mod subperiodic;
 pub mod symbols;
+mod symmetry_directions;
 pub mod symmetry_elements;
 pub mod unit_cell;
 pub mod versor;
@@ -107,4 +219,6 @@ pub use symbols::{SpaceGroup, UnknownSymbol};
 pub use symmetry_elements::SymmetryElements;
 pub use unit_cell::{Atom, Expansion, ExpansionError};
 pub use versor::{Isometry, Motion, Movable, NotOfLattice};
-pub use wyckoff::{LocatedSite, SiteCoordinates, WyckoffPosition, WyckoffPositions};
+pub use wyckoff::{
+    LocatedSite, SiteCoordinates, SubperiodicPosition, WyckoffPosition, WyckoffPositions,
+};

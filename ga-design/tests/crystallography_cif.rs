@@ -173,15 +173,36 @@ fn the_cell_chooses_between_settings() {
 }
 
 #[test]
-fn an_unlisted_origin_keeps_the_word_of_the_file() {
+fn an_unlisted_setting_is_recognised_and_its_change_of_basis_told() {
     let shifted = "loop_\n_symmetry_equiv_pos_as_xyz\nx,y,z\n1/5-x,-y,-z\n\
         _symmetry_space_group_name_H-M 'P -1'";
-    let found = crystal(shifted);
+    let named = read(&format!("data_x\n{CELL}{shifted}\n{SITES}"));
+    let found = &named.crystal;
     assert_eq!((found.number, found.operations.len()), (Some(2), 2));
+    // What the file itself says needs no warning.
+    assert_eq!(named.warnings, []);
     let nameless = "loop_\n_symmetry_equiv_pos_as_xyz\nx,y,z\n1/5-x,-y,-z";
-    assert_eq!(crystal(nameless).number, None);
-    let wrong = format!("{nameless}\n_space_group_IT_number 225");
-    assert_eq!(crystal(&wrong).number, None);
+    let reading = read(&format!("data_x\n{CELL}{nameless}\n{SITES}"));
+    assert_eq!(reading.crystal.number, Some(2));
+    assert_eq!(reading.crystal.hermann_mauguin.as_deref(), Some("P -1"));
+    let told = &reading.warnings[0].message;
+    assert!(told.contains("`P -1` (number 2)"), "{told}");
+    assert!(told.contains("9/10") || told.contains("1/10"), "{told}");
+    // The word of the file against its operations.
+    let wrong = read(&format!(
+        "data_x\n{CELL}{nameless}\n_space_group_IT_number 225\n\
+         _space_group_name_H-M_alt 'F m -3 m'\n{SITES}"
+    ));
+    assert_eq!(wrong.crystal.number, Some(2));
+    assert_eq!(wrong.crystal.hermann_mauguin.as_deref(), Some("P -1"));
+    assert!(
+        wrong.warnings[0]
+            .message
+            .contains("the operations are used")
+    );
+    // However the bar is typed.
+    let spelled = crystal("_symmetry_space_group_name_H-M 'F d 3\u{304} m:1'");
+    assert_eq!((spelled.number, spelled.operations.len()), (Some(227), 192));
     let contradicted = read(&format!(
         "data_x\n{CELL}_space_group_IT_number 2\nloop_\n_symmetry_equiv_pos_as_xyz\nx,y,z\n{SITES}"
     ));
@@ -191,6 +212,27 @@ fn an_unlisted_origin_keeps_the_word_of_the_file() {
             .message
             .contains("the operations are used")
     );
+}
+
+#[test]
+fn a_symbol_in_another_notation_is_read_with_a_warning_and_a_slip_of_the_pen_is_not() {
+    for symbol in ["D2^4", "P 2ac 2ab"] {
+        let reading = read(&format!(
+            "data_x\n{CELL}_symmetry_space_group_name_H-M '{symbol}'\n{SITES}"
+        ));
+        assert_eq!(reading.crystal.number, Some(19), "{symbol}");
+        assert!(
+            reading.warnings[0]
+                .message
+                .contains("another one of P 21 21 21")
+        );
+    }
+    for symbol in ["P 22", "P 21/q", "F"] {
+        let message = failure(&format!(
+            "data_x\n{CELL}_symmetry_space_group_name_H-M '{symbol}'\n{SITES}"
+        ));
+        assert!(message.contains("unknown space group symbol"), "{message}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Whether coordinate triplets are read and printed as files and International Tables spell them.
 
 use ga_design::crystallography::Operation;
+use num_rational::Ratio;
 
 #[test]
 fn triplets_are_read_as_files_spell_them() {
@@ -46,4 +47,26 @@ fn triplets_are_read_as_files_spell_them() {
     }
     let long = format!("x,y,z{}", "+1".repeat(1000));
     assert!(long.parse::<Operation>().is_err());
+}
+
+#[test]
+fn translations_that_are_no_fractions_are_refused() {
+    let identity = Operation::IDENTITY.rotation();
+    let zero = Ratio::new_raw(0, 1);
+    for (numerator, denominator) in [
+        (1, 0),
+        (0, 0),
+        (i32::MIN, -1),
+        (1, -2),
+        (1, 11),
+        (1, i32::MIN),
+    ] {
+        let raw = Ratio::new_raw(numerator, denominator);
+        assert_eq!(Operation::new(identity, [raw, zero, zero]), None, "{raw:?}");
+    }
+    let far = Ratio::new_raw(i32::MAX, 1);
+    assert_eq!(
+        Operation::new(identity, [far; 3]),
+        Some(Operation::IDENTITY)
+    );
 }

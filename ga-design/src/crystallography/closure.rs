@@ -1,4 +1,7 @@
-//! How generators become a whole space group: closure under composition modulo the lattice.
+//! How operations become a whole space group: closure under composition modulo the lattice.
+//!
+//! Whatever a file lists, in any setting; generators as versors are closed by
+//! [`Generation`](super::Generation).
 
 use std::collections::HashSet;
 

@@ -42,7 +42,8 @@ pub struct Crystal {
     /// The number of the space group in International Tables, when it is known.
     pub number: Option<u32>,
     /// The Hermann–Mauguin symbol, with origin or axes choice where there is one (`F d -3 m:2`);
-    /// the file's own spelling when the setting is in no table.
+    /// when the setting is in no table, the file's own spelling, or else the symbol of the standard
+    /// setting.
     pub hermann_mauguin: Option<String>,
     /// The unit cell.
     pub cell: Cell,

@@ -1,4 +1,5 @@
-//! Along which lattice direction an operation turns or reflects, as whole numbers.
+//! Along which lattice direction an operation turns or reflects, as whole numbers
+//! (where a root lies is a [`RootDirection`](super::RootDirection), of the lattice or its reciprocal).
 
 use super::operation::Operation;
 

@@ -14,16 +14,16 @@
 //!           `T_c^{1/4} ab`, origin shift, change of basis of the setting
 //! ```
 
-mod closure;
-mod direction;
 mod expression;
 mod generate;
+mod generation;
+mod root_direction;
 mod symbol;
 
-pub use closure::Generation;
-pub use direction::{DirectionError, RootDirection};
 pub use expression::{ExpressionError, GeneratorExpression};
 pub use generate::GenerationError;
+pub use generation::Generation;
+pub use root_direction::{DirectionError, RootDirection};
 pub use symbol::{GeometricSymbol, GeometricSymbolError, Mark};
 
 use std::sync::LazyLock;

@@ -57,7 +57,7 @@ impl Operation {
     pub fn new(rotation: [[i32; 3]; 3], translation: [Ratio<i32>; 3]) -> Option<Self> {
         let mut units = [0; 3];
         for (unit, part) in units.iter_mut().zip(translation) {
-            if *part.denom() == 0 || DENOMINATOR % *part.denom() != 0 {
+            if *part.denom() <= 0 || DENOMINATOR % *part.denom() != 0 {
                 return None;
             }
             let numerator = part.numer().rem_euclid(*part.denom());

@@ -71,7 +71,7 @@ impl SubperiodicKind {
         self.periodic().into_iter().filter(|along| *along).count()
     }
 
-    fn read(name: &str) -> Option<Self> {
+    pub(super) fn read(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.to_string() == name)
     }
 }

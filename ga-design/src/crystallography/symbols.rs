@@ -85,7 +85,8 @@ impl SpaceGroup {
 
     /// The settings that a Hermann–Mauguin symbol may mean, most likely first.
     ///
-    /// Blanks, underscores and case do not matter; `:1`, `:2`, `:H`, `:R` or a trailing `S`, `Z`,
+    /// Blanks, underscores and case do not matter, nor does how a subscript (`P 2(1)/c`, `P2₁/c`) or
+    /// a bar (`F d 3̄ m`, `F d \bar{3} m`) is typed; `:1`, `:2`, `:H`, `:R` or a trailing `S`, `Z`,
     /// `H`, `R` choose origin or axes, and without them the standard choice comes first. Short
     /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`), extended (`C 2/m 2/c 21/m (21/b 21/n n)`,
     /// any of its further elements in brackets) and old (`F d 3 m`) spellings are known.
@@ -259,6 +260,10 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
 fn suggestions(symbol: &str) -> Vec<String> {
     let short: String = symbol.chars().take(60).collect();
     let wanted = spelling::folded(short.split(':').next().unwrap_or_default());
+    // Everything is like nothing.
+    if wanted.is_empty() {
+        return Vec::new();
+    }
     let mut ranked: Vec<(usize, &SpaceGroup)> = INDEX
         .by_name
         .iter()

@@ -16,9 +16,11 @@ use super::symbols::SpaceGroup;
 mod coordinates;
 mod nearest;
 mod site_symmetry;
+mod subperiodic;
 
 pub use coordinates::SiteCoordinates;
 pub use nearest::LocatedSite;
+pub use subperiodic::SubperiodicPosition;
 
 const TABLE: &str = include_str!("../../data/wyckoff.tsv");
 

@@ -7,5 +7,6 @@ mod settings;
 mod structures;
 mod subperiodic;
 mod subperiodic_symbols;
+mod subperiodic_wyckoff;
 mod symbols;
 mod wyckoff;

@@ -61,7 +61,7 @@ impl Numbers {
 }
 
 #[test]
-fn all_557_settings_are_recognised() {
+fn all_558_settings_are_recognised() {
     for group in SpaceGroup::table() {
         let given = operations(group);
         assert_recognised(&given, group.number, &group.qualified_symbol());

@@ -202,6 +202,66 @@ fn brackets_round_subscripts_are_no_further_elements() {
 }
 
 #[test]
+fn bars_and_subscripts_are_read_however_they_are_typed() {
+    let cases = [
+        ("P2\u{2081}/c", "P 1 21/c 1"),
+        ("P 2(1)/c", "P 1 21/c 1"),
+        ("P2_1/c", "P 1 21/c 1"),
+        ("$P2_{1}/c$", "P 1 21/c 1"),
+        ("P2~1~/c", "P 1 21/c 1"),
+        ("P2<sub>1</sub>/c", "P 1 21/c 1"),
+        ("P2<SUB>1</SUB>2<SUB>1</SUB>2", "P 21 21 2"),
+        ("P 2\u{2081} 2\u{2081} 2\u{2081}", "P 21 21 21"),
+        ("P6\u{2083}/mmc", "P 63/m m c"),
+        ("P1\u{304}", "P -1"),
+        ("P 1\u{305}", "P -1"),
+        ("P\u{304}1", "P -1"),
+        ("P4\u{304}", "P -4"),
+        ("I4\u{304}3m", "I -4 3 m"),
+        ("Fd3\u{304}m", "F d -3 m:2"),
+        ("Fd\u{305}3m", "F d -3 m:2"),
+        ("Fd\u{af}3m:1", "F d -3 m:1"),
+        ("Fd\u{2212}3m", "F d -3 m:2"),
+        ("Fd\\bar{3}m", "F d -3 m:2"),
+        ("$Fd\\overline{3}m$", "F d -3 m:2"),
+        ("F d \\-3 m S", "F d -3 m:1"),
+        ("R3\u{304}c", "R -3 c:H"),
+        ("R3\u{304}c:r", "R -3 c:R"),
+        ("R3\u{304}m\u{a0}H", "R -3 m:H"),
+        ("P42/nnm Z", "P 42/n n m:2"),
+        ("B 1 1 21", "B 1 1 21"),
+    ];
+    for (text, symbol) in cases {
+        assert_eq!(first(text).qualified_symbol(), symbol, "{text}");
+    }
+    // A bar is never lost: without it these would be other groups.
+    for number in 1..=230 {
+        let barred = standard(number).qualified_symbol();
+        let mut typed = String::new();
+        let mut chars = barred.chars();
+        while let Some(c) = chars.next() {
+            match c {
+                '-' => typed.extend(chars.next().into_iter().chain(['\u{305}'])),
+                other => typed.push(other),
+            }
+        }
+        assert_eq!(first(&typed).number, number, "{typed}");
+    }
+}
+
+#[test]
+fn nothing_and_half_a_symbol_are_no_symbol() {
+    for text in [
+        "", " ", ":", "::", ":2", "P", "F", "-", "\u{305}", "\\bar", "<sub>", "$$",
+    ] {
+        let error = SpaceGroup::find(text).expect_err(text).to_string();
+        assert!(error.starts_with("unknown space group symbol"), "{error}");
+    }
+    let error = SpaceGroup::find("").expect_err("empty").to_string();
+    assert!(error.contains("write one such as"), "{error}");
+}
+
+#[test]
 fn systems_laue_classes_and_centrings_are_those_of_moyo() {
     for hall_number in 1..=530 {
         let entry = hall_symbol_entry(hall_number).expect("530 entries");

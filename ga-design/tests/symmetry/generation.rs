@@ -325,6 +325,22 @@ fn wrong_expressions_and_directions_are_refused_where_they_go_wrong() {
 
 /// The versor of an expression is its word, then the translation, then all of it moved.
 #[test]
+fn a_translation_of_no_length_makes_no_versor() {
+    let roots = ga_design::crystallography::Roots::new(4, 3)
+        .expect("4, 3")
+        .vectors();
+    let edges = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(ga_cga::Vector3::from);
+    let mut expression: GeneratorExpression = "T_c^{1/2} ab".parse().expect("a screw");
+    assert!(expression.isometry(&roots, &edges).is_some());
+    assert_eq!(
+        expression.isometry(&roots, &edges.map(|edge| edge * f64::NAN)),
+        None
+    );
+    expression.moved[0] = num_rational::Ratio::new_raw(1, 0);
+    assert_eq!(expression.isometry(&roots, &edges), None);
+}
+
+#[test]
 fn expressions_are_versors() {
     let axis = |x: f64, y: f64, z: f64| ga_cga::Vector3::new(x, y, z);
     let roots = [

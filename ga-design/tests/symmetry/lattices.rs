@@ -201,6 +201,18 @@ fn violated_constraints_are_named() {
 }
 
 #[test]
+fn a_tolerance_that_is_no_number_lets_nothing_pass() {
+    let cube = Cell::new([4.0; 3], [90.0; 3]).expect("a cell");
+    let rhombohedron = Cell::new([4.0; 3], [75.0; 3]).expect("a cell");
+    assert_eq!(CellShape::Cubic.check_within(&cube, 0.0, 0.0), Ok(()));
+    assert!(CellShape::Cubic.check_within(&cube, f64::NAN, 0.0).is_err());
+    assert!(CellShape::Cubic.check_within(&cube, 0.0, f64::NAN).is_err());
+    let shape = CellShape::Rhombohedral;
+    assert!(shape.check_within(&rhombohedron, 0.0, f64::NAN).is_err());
+    assert!(shape.check_within(&rhombohedron, -1.0, 0.1).is_err());
+}
+
+#[test]
 fn parameters_of_no_cell_are_refused() {
     let bad = [
         CellParameters::Cubic { a: 0.0 },

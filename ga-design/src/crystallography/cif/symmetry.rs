@@ -133,32 +133,59 @@ fn from_operations(
     let written_symbol = block
         .first(&HERMANN_MAUGUIN)
         .and_then(|(_, value)| value.known());
-    match SpaceGroup::identify(&operations) {
-        Some(group) => {
-            if let Some((number, line)) = written_number.filter(|(n, _)| *n != group.number) {
-                let message = format!(
-                    "the space group number is {number}, but the operations are those of {}; \
-                     the operations are used",
-                    group.number
-                );
-                warnings.add(line, message);
-            }
-            of_group(group, operations)
-        }
-        // A setting that is in no table, such as another origin: the file's own word counts.
-        None => {
-            let by_symbol = || {
-                let settings = SpaceGroup::from_symbol(written_symbol?).ok()?;
-                settings.first().map(|group| group.number)
-            };
-            let written = written_number.map(|(number, _)| number).or_else(by_symbol);
-            Symmetry {
-                number: written.filter(|number| has_point_group_order(*number, &operations)),
-                hermann_mauguin: written_symbol.map(|text| text.chars().take(60).collect()),
-                operations,
-            }
-        }
+    if let Some(group) = SpaceGroup::identify(&operations) {
+        disagreement(written_number, group.number, warnings);
+        return of_group(group, operations);
     }
+    // A setting that is in no table, such as another origin.
+    let Some(found) = SpaceGroup::recognise(&operations) else {
+        // A cell beyond all bounds: the file's own word counts.
+        let written = written_number.map(|(number, _)| number);
+        return Symmetry {
+            number: written.filter(|number| has_point_group_order(*number, &operations)),
+            hermann_mauguin: written_symbol.map(shortened),
+            operations,
+        };
+    };
+    disagreement(written_number, found.number, warnings);
+    let means_it = |text: &&str| {
+        let settings = SpaceGroup::from_symbol(text).unwrap_or_default();
+        settings.iter().any(|group| group.number == found.number)
+    };
+    let symbol = written_symbol.filter(means_it);
+    let standard = SpaceGroup::standard(found.number).map(SpaceGroup::qualified_symbol);
+    if symbol.is_none() && written_number.is_none_or(|(number, _)| number != found.number) {
+        warnings.add(
+            block.line,
+            format!(
+                "the setting of the operations is in no table; they are those of `{}` (number {}), \
+                 whose coordinates in terms of these are {}",
+                standard.as_deref().unwrap_or_default(),
+                found.number,
+                found.from_standard
+            ),
+        );
+    }
+    Symmetry {
+        number: Some(found.number),
+        hermann_mauguin: symbol.map(shortened).or(standard),
+        operations,
+    }
+}
+
+/// Says so when the file writes another number than that of its operations.
+fn disagreement(written: Option<(u32, usize)>, found: u32, warnings: &mut Warnings) {
+    if let Some((number, line)) = written.filter(|(number, _)| *number != found) {
+        let message = format!(
+            "the space group number is {number}, but the operations are those of {found}; the \
+             operations are used"
+        );
+        warnings.add(line, message);
+    }
+}
+
+fn shortened(text: &str) -> String {
+    text.chars().take(60).collect()
 }
 
 /// Whether a group has as many different matrices as the operations: if not, the file's word
@@ -210,8 +237,7 @@ fn named(block: &Block<'_>, cell: &Cell, warnings: &mut Warnings) -> Result<Symm
     let (settings, line) = match (symbol, number) {
         (Some(value), _) => {
             let text = qualified(block, value.known().unwrap_or_default());
-            let settings = SpaceGroup::from_symbol(&text)
-                .map_err(|error| Located::new(value.line, error.into()))?;
+            let settings = settings(&text, value.line, warnings)?;
             (settings, value.line)
         }
         (None, Some(value)) => (
@@ -237,6 +263,32 @@ fn without_symmetry(block: &Block<'_>) -> Problem {
     } else {
         Problem::NoSymmetry
     }
+}
+
+/// The settings of a Hermann–Mauguin symbol, or of a Schoenflies or Hall symbol in its place.
+///
+/// Not of a geometric symbol: `P 22` in a file is a slip of the pen for `P 2 2 2`, not number 47.
+fn settings(
+    text: &str,
+    line: usize,
+    warnings: &mut Warnings,
+) -> Result<Vec<&'static SpaceGroup>, Located> {
+    let error = match SpaceGroup::from_symbol(text) {
+        Ok(settings) => return Ok(settings),
+        Err(error) => error,
+    };
+    let mut settings = SpaceGroup::from_schoenflies(text);
+    settings.extend(SpaceGroup::from_hall(text).filter(|_| settings.is_empty()));
+    let Some(group) = settings.first() else {
+        return Err(Located::new(line, error.into()));
+    };
+    let message = format!(
+        "`{}` is no Hermann–Mauguin symbol, but another one of {}",
+        shortened(text),
+        group.symbol
+    );
+    warnings.add(line, message);
+    Ok(settings)
 }
 
 /// The symbol with the choice of origin or axes that a remark in braces, as in

@@ -76,12 +76,15 @@ pub enum ExpressionError {
 
 impl GeneratorExpression {
     /// The versor: the word of the roots, then the translation, all of it moved; edges and roots
-    /// in space. `None` if a root that the word needs has no direction.
+    /// in space. `None` if a root that the word needs has no direction, or a translation no finite
+    /// length.
     pub fn isometry(&self, roots: &[Vector3; 3], edges: &[Vector3; 3]) -> Option<Isometry> {
         let turned = self.word.isometry(roots)?;
         let joined = Isometry::translation(along(self.translation, edges)).after(&turned);
         let frame = Isometry::translation(along(self.moved, edges));
-        Some(joined.moved_by(&frame))
+        let isometry = joined.moved_by(&frame);
+        let finite = isometry.shift().norm().is_finite();
+        finite.then_some(isometry)
     }
 }
 

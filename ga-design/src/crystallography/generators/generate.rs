@@ -7,8 +7,8 @@ use super::super::lattice::{Axis, CellShape, ConstraintError, CrystalSystem};
 use super::super::{
     Cell, CellError, ChangeOfBasis, Isometry, NotOfLattice, Operation, Roots, SpaceGroup, close,
 };
-use super::direction::roots_along;
 use super::expression::along;
+use super::root_direction::roots_along;
 use super::{Generation, GeometricSymbol, GeometricSymbolError, SpaceGroupGenerators};
 
 /// The largest deviation of a root's cosine from that of its angle π/p or π/q.

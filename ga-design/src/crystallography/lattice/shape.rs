@@ -193,7 +193,7 @@ impl CellShape {
     }
 
     /// Whether a cell has this shape, within a relative difference of edges and a difference of
-    /// angles in degrees.
+    /// angles in degrees. A tolerance that is no number lets nothing pass.
     ///
     /// # Errors
     /// [`ConstraintError`] with the first constraint that is violated: edges before angles.
@@ -208,7 +208,8 @@ impl CellShape {
             let values = [edges[one], edges[other]];
             let names = [EDGES[one], EDGES[other]];
             let apart = (values[0] - values[1]).abs();
-            if apart > edge_tolerance * values[0].max(values[1]) {
+            let equal = apart <= edge_tolerance * values[0].max(values[1]);
+            if !equal {
                 let shape = self;
                 return Err(ConstraintError::Unequal {
                     shape,
@@ -219,7 +220,8 @@ impl CellShape {
         }
         for (at, needed) in self.fixed_angles().into_iter().enumerate() {
             let Some(needed) = needed else { continue };
-            if (angles[at] - needed).abs() > angle_tolerance {
+            let right = (angles[at] - needed).abs() <= angle_tolerance;
+            if !right {
                 return Err(ConstraintError::Angle {
                     shape: self,
                     name: ANGLES[at],
@@ -230,7 +232,8 @@ impl CellShape {
         }
         for (one, other) in self.equal_angles() {
             let values = [angles[one], angles[other]];
-            if (values[0] - values[1]).abs() > angle_tolerance {
+            let equal = (values[0] - values[1]).abs() <= angle_tolerance;
+            if !equal {
                 return Err(ConstraintError::Unequal {
                     shape: self,
                     names: [ANGLES[one], ANGLES[other]],

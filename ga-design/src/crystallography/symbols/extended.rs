@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 
 use super::super::direction::{self, Direction, signless};
 use super::super::operation::{DENOMINATOR, Operation};
+use super::super::symmetry_directions::symmetry_directions;
 use super::{CrystalSystem, SpaceGroup};
 
 /// The settings of a symbol with further elements in brackets, which they all have.
@@ -71,23 +72,20 @@ impl SpaceGroup {
         let tokens = self.full_symbol().split(' ').skip(1);
         tokens
             .zip(self.directions())
-            .map(|(token, direction)| self.further(token, *direction, &operations))
+            .map(|(token, direction)| self.further(token, direction, &operations))
             .collect()
     }
 
     /// The symmetry direction of each place of the symbol.
-    fn directions(&self) -> &'static [Direction] {
+    fn directions(&self) -> Vec<Direction> {
         match self.crystal_system() {
-            CrystalSystem::Triclinic => &[],
-            CrystalSystem::Monoclinic | CrystalSystem::Orthorhombic => {
-                &[[1, 0, 0], [0, 1, 0], [0, 0, 1]]
-            }
-            CrystalSystem::Tetragonal => &[[0, 0, 1], [1, 0, 0], [1, -1, 0]],
-            CrystalSystem::Trigonal if self.choice == Some('R') => &[[1, 1, 1], [1, -1, 0]],
-            CrystalSystem::Trigonal | CrystalSystem::Hexagonal => {
-                &[[0, 0, 1], [1, 0, 0], [1, -1, 0]]
-            }
-            CrystalSystem::Cubic => &[[0, 0, 1], [1, 1, 1], [1, -1, 0]],
+            // The symbols that this is about are full, with a place for each axis.
+            CrystalSystem::Monoclinic => vec![[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+            CrystalSystem::Trigonal if self.choice == Some('R') => vec![[1, 1, 1], [1, -1, 0]],
+            system => symmetry_directions(system)
+                .iter()
+                .filter_map(|class| class.first().copied())
+                .collect(),
         }
     }
 

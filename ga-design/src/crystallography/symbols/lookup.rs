@@ -11,7 +11,8 @@ impl SpaceGroup {
     /// (`-P 2ac 2n`) or a geometric symbol (`P b(4)_1 b(2)`), each but the Hall symbol with `:1`,
     /// `:2`, `:H` or `:R` for origin or axes.
     ///
-    /// What is a symbol in several of these notations, as `P 2`, counts as the first of them;
+    /// What is a symbol in several of these notations, as `P 2`, counts as the first of them: `P4̅` is
+    /// the Hermann–Mauguin symbol of number 81, while a geometric symbol is safe as `P b(4)`.
     /// [`SpaceGroup::from_hall`] and [`SpaceGroup::from_geometric`] read one notation only.
     ///
     /// ```
@@ -42,9 +43,10 @@ impl SpaceGroup {
             other().ok_or_else(|| {
                 let mut unknown = unknown;
                 unknown.suggestions.extend(similar_schoenflies(name));
-                // Bars say which notation is meant.
+                // Bars say which notation is meant; combining ones are written in two.
                 let geometric = similar_geometric(name);
-                if !geometric.is_empty() {
+                let open = name.contains("b(") || unknown.suggestions.is_empty();
+                if open && !geometric.is_empty() {
                     unknown.suggestions = geometric;
                 }
                 unknown
@@ -70,6 +72,10 @@ impl SpaceGroup {
     /// `None` when the text is no Hall symbol, or one of a setting that the table does not have;
     /// then [`SpaceGroup::recognise`] tells the group.
     pub fn from_hall(symbol: &str) -> Option<&'static Self> {
+        // A lattice letter alone, such as `F`, is the beginning of a symbol.
+        if !symbol.contains(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
         // Here blanks matter: `P 32` is not `P 3 2`.
         let words = |hall: &str| {
             let plain = hall.to_ascii_lowercase().replace('_', " ");

@@ -1,19 +1,52 @@
 //! Which spellings of a Hermann–Mauguin symbol are taken for the same.
 
-/// A symbol without what does not matter: case, blanks, underscores, quotation marks, brackets.
+/// The most characters of a symbol that are looked at: the longest ones with markup are far shorter.
+const LONGEST: usize = 200;
+
+/// What markup writes around a subscript.
+const SUBSCRIPT: [&str; 2] = ["<sub>", "</sub>"];
+
+/// What TeX and CIF write before a number under a bar.
+const BARS: [&str; 3] = ["\\overline", "\\bar", "\\-"];
+
+/// A symbol without what does not matter: case, blanks, quotation marks, brackets, and the marks
+/// of a subscript. A bar over a number is a minus sign before it.
 pub fn folded(symbol: &str) -> String {
-    symbol
-        .chars()
-        .take(80)
-        .filter(|c| {
-            !c.is_whitespace() && !matches!(c, '_' | '\'' | '"' | '(' | ')' | '{' | '}' | '$')
-        })
-        .map(|c| match c {
-            // Dashes that word processors make of a minus sign.
-            '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
-            other => other.to_ascii_lowercase(),
-        })
-        .collect()
+    let start: String = symbol.chars().take(LONGEST).map(plain).collect();
+    let text = SUBSCRIPT
+        .iter()
+        .fold(start, |text, mark| text.replace(mark, ""));
+    let text = BARS.iter().fold(text, |text, bar| text.replace(bar, "-"));
+    let mut folded = String::with_capacity(text.len());
+    for c in text.chars().filter(|c| !c.is_whitespace()) {
+        match c {
+            '_' | '~' | '\'' | '"' | '(' | ')' | '{' | '}' | '$' => {}
+            // A combining bar stands behind its number; behind a letter it is meant for the next.
+            '\u{304}' | '\u{305}' => {
+                let number = folded.chars().last().filter(char::is_ascii_digit);
+                if number.is_some() {
+                    folded.pop();
+                }
+                folded.push('-');
+                folded.extend(number);
+            }
+            other => folded.push(other),
+        }
+    }
+    folded
+}
+
+/// One character as typed on a plain keyboard.
+fn plain(c: char) -> char {
+    match c {
+        // Dashes that word processors make of a minus sign, and bars that stand alone.
+        '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{af}' | '\u{203e}' => '-',
+        // Subscripts.
+        '\u{2080}'..='\u{2089}' => {
+            char::from_digit(u32::from(c) - u32::from('\u{2080}'), 10).unwrap_or(c)
+        }
+        other => other.to_ascii_lowercase(),
+    }
 }
 
 /// The ways to read a symbol, as folded names with a choice of origin or axes, best first.

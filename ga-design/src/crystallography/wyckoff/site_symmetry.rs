@@ -7,43 +7,7 @@
 use super::super::direction::{Direction, axis, image, order, signless};
 use super::super::operation::Operation;
 use super::super::symbols::CrystalSystem;
-
-/// The classes of symmetry directions on conventional axes, hexagonal ones for trigonal groups
-/// (*International Tables* A, table 2.1.3.1).
-fn classes(system: CrystalSystem, rhombohedral: bool) -> &'static [&'static [Direction]] {
-    const EDGES: [&[Direction]; 3] = [&[[1, 0, 0]], &[[0, 1, 0]], &[[0, 0, 1]]];
-    const SQUARE: [&[Direction]; 3] = [
-        &[[0, 0, 1]],
-        &[[1, 0, 0], [0, 1, 0]],
-        &[[1, -1, 0], [1, 1, 0]],
-    ];
-    const HEXAGON: [&[Direction]; 3] = [
-        &[[0, 0, 1]],
-        &[[1, 0, 0], [0, 1, 0], [1, 1, 0]],
-        &[[1, -1, 0], [1, 2, 0], [2, 1, 0]],
-    ];
-    const CUBE: [&[Direction]; 3] = [
-        &[[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-        &[[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]],
-        &[
-            [1, -1, 0],
-            [1, 1, 0],
-            [0, 1, -1],
-            [0, 1, 1],
-            [1, 0, -1],
-            [1, 0, 1],
-        ],
-    ];
-    match system {
-        CrystalSystem::Triclinic => &[],
-        CrystalSystem::Monoclinic => &[EDGES[1]],
-        CrystalSystem::Orthorhombic => &EDGES,
-        CrystalSystem::Tetragonal => &SQUARE,
-        CrystalSystem::Trigonal if rhombohedral => &[HEXAGON[0], HEXAGON[1]],
-        CrystalSystem::Trigonal | CrystalSystem::Hexagonal => &HEXAGON,
-        CrystalSystem::Cubic => &CUBE,
-    }
-}
+use super::super::symmetry_directions::symmetry_directions;
 
 /// The oriented symbol of a finite group of operations that share a fixed point, on conventional
 /// axes; `None` when one of them lies along no symmetry direction of the system.
@@ -77,7 +41,11 @@ pub fn symbol(group: &[Operation], system: CrystalSystem, rhombohedral: bool) ->
         > 1;
     let mut text = String::new();
     let mut placed = 0;
-    let classes = classes(system, rhombohedral);
+    let all = symmetry_directions(system);
+    let classes = match system {
+        CrystalSystem::Trigonal if rhombohedral => all.get(..2).unwrap_or(all),
+        _ => all,
+    };
     for class in classes {
         let mut inequivalent: Vec<(Direction, String)> = Vec::new();
         for (direction, along) in &elements {

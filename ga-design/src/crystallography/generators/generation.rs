@@ -1,4 +1,8 @@
 //! How generators as versors become a group: closure modulo the translations of the lattice.
+//!
+//! [`close`](super::super::close) does the same for exact operations of any origin, supercells
+//! included. Here every element keeps the versor that it was composed as, one for each coset, so
+//! that a wrong generator shows as too many of them.
 
 use std::collections::HashSet;
 
