@@ -3,6 +3,7 @@
 mod crystal;
 mod expand;
 mod gallery;
+mod group;
 mod tensegrity;
 
 use crate::failure::Failure;
@@ -12,6 +13,7 @@ use clap::Subcommand;
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Gallery(gallery::Arguments),
+    Group(Box<group::Arguments>),
     Crystal(crystal::Arguments),
     Tensegrity(tensegrity::Arguments),
     Expand(expand::Arguments),
@@ -22,6 +24,7 @@ impl Command {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Command::Gallery(arguments) => gallery::run(arguments),
+            Command::Group(arguments) => group::run(arguments),
             Command::Crystal(arguments) => crystal::run(arguments),
             Command::Tensegrity(arguments) => tensegrity::run(arguments),
             Command::Expand(arguments) => expand::run(arguments),

@@ -72,6 +72,17 @@ pub enum Failure {
     /// A structure of struts and cables cannot be made.
     #[error(transparent)]
     Tensegrity(#[from] TensegrityError),
+    /// The command line asks for what there is not, in a way that only the command can tell.
+    #[error("{0}")]
+    Usage(String),
+    /// A motif cannot be read from its file.
+    #[error("{}: {message}", file.display())]
+    Motif {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong, with its line where there is one.
+        message: String,
+    },
     /// An algebra has mistakes, each on a line of its own that begins with its place.
     #[error("{0}")]
     Algebra(String),
@@ -104,6 +115,12 @@ impl Failure {
         }
         // Where standard error is closed too, the exit code alone must tell.
         let _ = writeln!(io::stderr(), "error: {}", self.to_string().trim_end());
-        ExitCode::FAILURE
+        match self {
+            Failure::Usage(_) => {
+                let _ = writeln!(io::stderr(), "\nFor more information, try '--help'.");
+                ExitCode::from(2)
+            }
+            _ => ExitCode::FAILURE,
+        }
     }
 }

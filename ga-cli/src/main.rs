@@ -10,7 +10,7 @@ use clap::Parser;
 use command::Command;
 use std::process::ExitCode;
 
-/// Makes structures with geometric algebra: crystals and figures as files for viewers, modellers and
+/// Makes structures with geometric algebra: symmetry groups, crystals and figures as files for viewers, modellers and
 /// printers, and the algebras themselves as Rust.
 ///
 /// Exits with 0 when all went well, 1 when a file or an algebra is wrong, 2 when the command line is.
@@ -29,6 +29,9 @@ struct Arguments {
 
 const EXAMPLES: &str = "Examples:
   articulate gallery                             make the gallery; open gallery/index.html
+  articulate group 227                           tell all about a symmetry group
+  articulate group 19 --motif hand --out hands.png --out hands.glb
+                                                 carry a motif through it
   articulate crystal quartz.cif --out quartz.glb --cells 2x2x2
                                                  save a block of a crystal for a viewer
   articulate crystal quartz.cif --json           print the atoms of its unit cell

@@ -156,6 +156,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod asymmetric;
 pub mod bonds;
 pub mod cell;
 pub mod cell_range;
@@ -166,6 +167,7 @@ pub mod crystal;
 mod direction;
 pub mod elements;
 pub mod fundamental_domain;
+pub mod general_position;
 pub mod generators;
 pub mod hall;
 pub mod lattice;
@@ -187,6 +189,7 @@ pub mod versor;
 pub mod wyckoff;
 pub mod xyz;
 
+pub use asymmetric::{AsymmetricMotif, comma_outline};
 pub use bonds::{Bond, BondError, Bonding};
 pub use cell::{Cell, CellError};
 pub use cell_range::{CellRange, CellRangeError};
@@ -195,6 +198,7 @@ pub use closure::{ClosureError, close};
 pub use crystal::{Crystal, Measured, Site};
 pub use elements::Element;
 pub use fundamental_domain::{DomainFace, FundamentalDomain, FundamentalDomainError};
+pub use general_position::{GeneralPosition, general_position};
 pub use generators::{
     DirectionError, ExpressionError, Generation, GenerationError, GeneratorExpression,
     GeometricSymbol, GeometricSymbolError, RootDirection, SpaceGroupGenerators,

@@ -3,7 +3,7 @@
 mod document;
 mod files;
 mod summary;
-mod symmetry;
+pub mod symmetry;
 
 use crate::failure::Failure;
 use crate::{output, progress};
