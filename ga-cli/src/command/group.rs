@@ -83,10 +83,15 @@ pub struct Arguments {
     snap: Option<f64>,
     /// What is repeated: comma, hand, strut or helix; or a surface from an .obj or .stl file, or atoms from
     /// an .xyz file. Put in general position, as large as its copies leave room for.
-    #[arg(long, value_name = "NAME|FILE")]
+    #[arg(long, value_name = "NAME|FILE", requires = "out")]
     motif: Option<String>,
     /// The radius of the motif, in ångström.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        requires = "out"
+    )]
     size: Option<f64>,
     /// Draw the symmetry elements into the files, and list those of one cell in JSON (space groups only).
     #[arg(long)]
@@ -141,6 +146,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(text) = &arguments.group else {
         return all::run(kind, arguments.json);
     };
+    // A word that begins so is no symbol in any notation.
+    if text.starts_with("--") {
+        let text = request::short(text);
+        return Err(Failure::Usage(format!("unexpected argument `{text}`")));
+    }
+    arguments.check_lengths()?;
     let mark = progress::waiting("generating the group");
     let made = match kind {
         Kind::Space => space::make(arguments, text)?,

@@ -43,9 +43,12 @@ pub fn of_shape(shape: CellShape, text: Option<&str>) -> Result<Cell, Failure> {
         (CellShape::Rhombohedral, &[a, alpha]) => given(CellParameters::Rhombohedral { a, alpha })?,
         (CellShape::Cubic, &[a]) => given(CellParameters::Cubic { a })?,
         _ => {
+            let six = match shape {
+                CellShape::Triclinic => "",
+                _ => ", or all six a,b,c,alpha,beta,gamma",
+            };
             return Err(Failure::Usage(format!(
-                "--cell {}: a {shape} cell has the parameters {}, or all six \
-                 a,b,c,alpha,beta,gamma; here are {}",
+                "--cell {}: a cell that is {shape} has the parameters {}{six}; here are {}",
                 short(text),
                 names(shape),
                 numbers.len()
@@ -124,8 +127,12 @@ pub fn of_lattice(group: &SubperiodicGroup, text: Option<&str>) -> Result<Cell, 
 
 /// The numbers of a list, parted by commas or blanks.
 pub fn numbers(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
-    text.split(|c: char| c == ',' || c.is_whitespace())
-        .filter(|word| !word.is_empty())
+    let words: Vec<&str> = match text.contains(',') {
+        true => text.split(',').map(str::trim).collect(),
+        false => text.split_whitespace().collect(),
+    };
+    words
+        .into_iter()
         .map(|word| {
             let value: Option<f64> = word.parse().ok();
             value.filter(|value| value.is_finite()).ok_or_else(|| {
@@ -176,12 +183,17 @@ pub fn range(
     let wrong = |reason: String| Failure::Usage(format!("--cells {}: {reason}", short(text)));
     if ![1, along, 3].contains(&parts.len()) {
         return Err(wrong(format!(
-            "the group repeats along {along} of the edges; write one number, {along}, or 3, such as \
-             2 or 2x2x1"
+            "the group repeats along {along} of three edges; write one number for all of them, one for \
+             each, or three, 1 where it does not repeat"
         )));
     }
-    let range: CellRange = written
-        .join("x")
+    // What is wrong is told of the text as it was given.
+    let spelled = if along == 3 {
+        text.to_owned()
+    } else {
+        written.join("x")
+    };
+    let range: CellRange = spelled
         .parse()
         .map_err(|reason| wrong(format!("{reason}; ask for a few cells, such as 2x2x2")))?;
     for (i, axis) in ['a', 'b', 'c'].into_iter().enumerate() {

@@ -80,7 +80,6 @@ pub struct Placed {
 impl Drawing {
     /// Finds the motif, its place and its size.
     pub fn new(arguments: &Arguments, frame: Frame) -> Result<Self, Failure> {
-        arguments.check_lengths()?;
         let shape = motif::find(arguments.motif.as_deref(), frame.is_flat)?;
         let (place, clearance) = frame.place();
         // Alone in space, it may be as large as a cell.

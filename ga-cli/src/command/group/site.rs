@@ -5,8 +5,11 @@ use crate::failure::Failure;
 use ga_design::crystallography::{Cell, Operation};
 use serde::Serialize;
 
-/// Points nearer than this part of the shortest edge are one.
+/// Points nearer than this, in ångström or as a part of the shortest edge, are one.
 const SAME: f64 = 1e-6;
+
+/// The most powers of an operation of a lattice that differ.
+const MOST_POWERS: usize = 12;
 
 /// How near to a special position a point counts as on it if nothing is said, in ångström.
 const REACH: f64 = 0.1;
@@ -57,6 +60,64 @@ impl Arguments {
             _ => Ok(()),
         }
     }
+}
+
+/// The place within reach that most operations leave where it is; the point itself where none does.
+pub fn snapped(
+    operations: &[Operation],
+    periodic: [bool; 3],
+    cell: &Cell,
+    point: [f64; 3],
+    reach: f64,
+) -> [f64; 3] {
+    let near = |operation: &Operation, place: [f64; 3]| {
+        let moved = operation.apply(place);
+        [0, 1, 2].map(|i| {
+            let cells = if periodic[i] {
+                (moved[i] - point[i]).round()
+            } else {
+                0.0
+            };
+            moved[i] - cells
+        })
+    };
+    let mean = |places: &[[f64; 3]]| {
+        let count = places.len().max(1) as f64;
+        [0, 1, 2].map(|i| places.iter().map(|place| place[i]).sum::<f64>() / count)
+    };
+    // The mean of the images under the powers of an operation is what it leaves in place; the mean of
+    // all images nearby, where all elements nearby meet.
+    let mut candidates = Vec::new();
+    let mut all = Vec::new();
+    for operation in operations {
+        let first = near(operation, point);
+        if distance(cell, periodic, point, first) > 2.0 * reach {
+            continue;
+        }
+        all.push(first);
+        let mut powers = vec![point];
+        let mut next = first;
+        while powers.len() < MOST_POWERS && distance(cell, periodic, point, next) > SAME {
+            powers.push(next);
+            next = near(operation, next);
+        }
+        candidates.push(mean(&powers));
+    }
+    candidates.push(mean(&all));
+    let fixing = |place: [f64; 3]| {
+        let stays = |operation: &&Operation| {
+            distance(cell, periodic, place, operation.apply(place)) <= SAME
+        };
+        operations.iter().filter(stays).count()
+    };
+    let mut best = (1, point);
+    for place in candidates {
+        let count = fixing(place);
+        if count > best.0 && distance(cell, periodic, point, place) <= reach {
+            best = (count, place);
+        }
+    }
+    best.1
 }
 
 /// The images of a point in one cell, each once, its own first.

@@ -11,8 +11,9 @@ use super::{Arguments, Made, cell, summary};
 use crate::failure::Failure;
 use ga_cga::Vector3;
 use ga_design::crystallography::{
-    Cell, CrystalSystem, Generation, Isometry, Operation, SpaceGroup, SpaceGroupGenerators,
-    SubperiodicGroup, SubperiodicKind, SubperiodicLattice, SubperiodicOperation,
+    Cell, ChangeOfBasis, CrystalSystem, Generation, Isometry, Operation, SpaceGroup,
+    SpaceGroupGenerators, SubperiodicGroup, SubperiodicKind, SubperiodicLattice,
+    SubperiodicOperation,
 };
 
 /// Makes what was asked for of the group that the text means.
@@ -130,8 +131,10 @@ fn usual_cells(kind: SubperiodicKind) -> [i32; 3] {
 
 /// A group grown from the generators of its space group.
 pub struct Grown {
-    /// The setting of the space group that has translations along all axes as well.
+    /// The space group that has translations along all axes as well, in its standard setting.
     pub space: &'static SpaceGroup,
+    /// How its standard setting leads to this group's.
+    from_standard: ChangeOfBasis,
     generators: Vec<Isometry>,
     /// Operations modulo the translations, and their versors.
     pub elements: Vec<(SubperiodicOperation, Isometry)>,
@@ -143,13 +146,19 @@ impl Grown {
     /// The group in a cell.
     pub fn new(group: &SubperiodicGroup, cell: &Cell) -> Result<Self, Failure> {
         let wrong = |reason: &dyn std::fmt::Display| Failure::Usage(reason.to_string());
-        let space = SpaceGroup::from_hall(group.hall).ok_or_else(|| {
-            Failure::Usage(format!(
-                "no space group has the Hall symbol `{}`",
-                group.hall
-            ))
+        let found = group.space_group();
+        let all = found.and_then(|found| {
+            let generators = SpaceGroupGenerators::of(found.number)?;
+            let space = SpaceGroup::standard(found.number)?;
+            Some((generators, space, found.from_standard))
+        });
+        let (generators, space, from_standard) = all.ok_or_else(|| {
+            let symbol = group.symbol;
+            Failure::Usage(format!("the tables have no generators of {symbol}"))
         })?;
-        let generation: Generation = space.generate(cell).map_err(|reason| wrong(&reason))?;
+        let generation: Generation = generators
+            .generate_in(*cell, &from_standard)
+            .map_err(|reason| wrong(&reason))?;
         let operations = generation.operations();
         let elements = operations.iter().zip(generation.versors());
         let elements = elements.map(|(operation, versor)| {
@@ -158,6 +167,7 @@ impl Grown {
         });
         Ok(Self {
             space,
+            from_standard,
             generators: generation.generators().to_vec(),
             elements: elements.collect::<Result<_, Failure>>()?,
             centring: generation.translations().to_vec(),
@@ -199,7 +209,7 @@ pub fn periodic_document(group: &SubperiodicGroup, grown: &Grown) -> Periodic {
         setting: Setting {
             choice: group.choice.map(String::from),
             standard: group.standard,
-            from_standard: grown.space.from_standard().map(|change| change.to_string()),
+            from_standard: Some(grown.from_standard.to_string()),
             others: Vec::new(),
         },
         notation: None,
@@ -265,27 +275,7 @@ fn located(
         .iter()
         .map(|(operation, _)| operation.in_space())
         .collect();
-    // Each operation with a fixed point nearby brings the point near itself; the mean of its images
-    // is what they all leave in place.
-    let image = |operation: &Operation| {
-        let moved = operation.apply(point);
-        [0, 1, 2].map(|i| {
-            let apart = moved[i] - point[i];
-            if periodic[i] {
-                moved[i] - apart.round()
-            } else {
-                moved[i]
-            }
-        })
-    };
-    let near: Vec<[f64; 3]> = operations
-        .iter()
-        .map(image)
-        .filter(|moved| site::distance(cell, periodic, point, *moved) <= 2.0 * arguments.reach())
-        .collect();
-    let count = near.len().max(1) as f64;
-    let mean = |i: usize| near.iter().map(|place| place[i]).sum::<f64>() / count;
-    let place = [0, 1, 2].map(|i| if near.is_empty() { point[i] } else { mean(i) });
+    let place = site::snapped(&operations, periodic, cell, point, arguments.reach());
     let orbit = site::orbit(&operations, periodic, cell, place);
     Ok(Site {
         letter: None,

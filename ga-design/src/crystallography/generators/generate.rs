@@ -41,6 +41,12 @@ pub enum GenerationError {
         /// The Hall symbol of the setting.
         hall: &'static str,
     },
+    /// The group has no such cell.
+    #[error("the change of basis leads to no cell of space group {number}")]
+    Basis {
+        /// The number of the group.
+        number: u32,
+    },
 }
 
 impl SpaceGroup {
@@ -144,12 +150,30 @@ impl SpaceGroup {
     }
 
     fn grow(&self, cell: Cell) -> Result<Generation, GenerationError> {
-        let missing = GenerationError::Setting { hall: self.hall };
-        let (Some(group), Some(change)) = (self.generators(), self.from_standard()) else {
-            return Err(missing);
-        };
+        match (self.generators(), self.from_standard()) {
+            (Some(group), Some(change)) => group.generate_in(cell, &change),
+            _ => Err(GenerationError::Setting { hall: self.hall }),
+        }
+    }
+}
+
+impl SpaceGroupGenerators {
+    /// The group grown from its roots in a cell of any setting, to which a change of basis leads from
+    /// the standard one: of settings that are in no table too.
+    ///
+    /// # Errors
+    /// [`GenerationError::Basis`] when the group has no such setting; others when the cell does not have
+    /// its shape there. The constraints are not looked at one by one, and no rounding is taken out.
+    pub fn generate_in(
+        &self,
+        cell: Cell,
+        from_standard: &ChangeOfBasis,
+    ) -> Result<Generation, GenerationError> {
+        let (group, change) = (self, from_standard);
         let to_setting = change.inverse();
-        let translations = translations(group, &to_setting).ok_or(missing)?;
+        let translations = translations(group, &to_setting).ok_or(GenerationError::Basis {
+            number: self.number,
+        })?;
         let (edges, origin) = standard_frame(&cell, &to_setting);
         let roots = group.roots_in(&edges).ok_or(GenerationError::Angle {
             number: self.number,
@@ -165,9 +189,7 @@ impl SpaceGroup {
             })?;
         Generation::close(cell, generators, translations)
     }
-}
 
-impl SpaceGroupGenerators {
     /// The roots along a lattice with these edges of the standard setting, if they are at the
     /// angles π/p, π/q and π/2 there; those that no generator uses are zero.
     pub fn roots_in(&self, edges: &[Vector3; 3]) -> Option<[Vector3; 3]> {
