@@ -87,10 +87,10 @@ fn every_scene_can_be_made_and_has_words_to_it() {
 fn the_program_explains_itself() {
     let directory = directory();
     let help = run(directory.path(), &["--help"]).well();
-    for word in ["gallery", "crystal", "tensegrity", "expand", "Examples:"] {
+    for word in ["gallery", "group", "crystal", "tensegrity", "expand", "Examples:"] {
         assert!(help.contains(word), "{word}");
     }
-    for command in ["gallery", "crystal", "tensegrity", "expand"] {
+    for command in ["gallery", "group", "crystal", "tensegrity", "expand"] {
         let help = run(directory.path(), &[command, "--help"]).well();
         assert!(
             help.contains("Examples:") && help.contains("--json"),

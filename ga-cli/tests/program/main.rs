@@ -4,6 +4,8 @@ mod crystal;
 mod expand;
 mod failures;
 mod gallery;
+mod group;
+mod group_failures;
 mod run;
 mod symmetry;
 mod tensegrity;
