@@ -546,7 +546,16 @@ fn a_motif_may_come_from_a_file() {
 #[test]
 fn symmetry_elements_are_listed_and_drawn() {
     let directory = directory();
-    let words = ["group", "19", "--symmetry", "--json", "--out", "s.glb"];
+    let words = [
+        "group",
+        "19",
+        "--symmetry",
+        "--json",
+        "--out",
+        "s.glb",
+        "--out",
+        "s.svg",
+    ];
     let told = run(directory.path(), &words).json();
     let elements = told["symmetry_elements"].as_array().expect("a list");
     assert!(
@@ -559,6 +568,12 @@ fn symmetry_elements_are_listed_and_drawn() {
         .nodes()
         .filter(|node| node.name().is_some_and(|name| name.starts_with("2_1")));
     assert!(drawn.count() > 3);
+    let text = fs::read_to_string(directory.path().join("s.svg")).expect("the file is there");
+    let drawing = roxmltree::Document::parse(&text).expect("well-formed XML");
+    let named = drawing
+        .descendants()
+        .filter(|node| node.text() == Some("2_1"));
+    assert!(named.count() > 3);
 }
 
 #[test]

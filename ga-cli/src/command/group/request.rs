@@ -70,6 +70,7 @@ const NOTATIONS: [Notation; 5] = [
 /// The space group that a text means, in this notation or in the first of all in which it means one.
 pub fn space(text: &str, notation: Option<Notation>) -> Result<Found, Failure> {
     check_number("space", 230, text)?;
+    check_choice(text)?;
     let wanted: Vec<Notation> = notation.map_or(NOTATIONS.to_vec(), |only| vec![only]);
     let mut readings = wanted
         .into_iter()
@@ -131,10 +132,12 @@ fn unknown(text: &str, notation: Option<Notation>) -> Failure {
     }
     // Marks that only geometric symbols have.
     let looks_geometric = text.contains("b(") || text.contains('\u{305}');
-    if (looks_geometric && notation.is_none()) || notation == Some(Notation::Geometric) {
-        if let Err(error) = SpaceGroupGenerators::from_symbol(text) {
-            return Failure::Usage(error.to_string());
-        }
+    let is_geometric = match notation {
+        None => looks_geometric,
+        Some(asked) => asked == Notation::Geometric,
+    };
+    if let (true, Err(error)) = (is_geometric, SpaceGroupGenerators::from_symbol(text)) {
+        return Failure::Usage(error.to_string());
     }
     Failure::Usage(match (SpaceGroup::find(text), notation) {
         (Err(error), _) => error.to_string(),
@@ -199,6 +202,23 @@ fn check_number(kind: &str, count: u32, text: &str) -> Result<(), Failure> {
             short(name)
         ))),
         _ => Ok(()),
+    }
+}
+
+/// Refuses what stands after a colon and is no choice of origin or axes: 1, 2, H, R, or axes such as `b1`.
+fn check_choice(text: &str) -> Result<(), Failure> {
+    let Some((_, choice)) = text.split_once(':') else {
+        return Ok(());
+    };
+    let first = choice.trim().trim_start_matches('-').chars().next();
+    let first = first.map(|c| c.to_ascii_lowercase());
+    match first {
+        Some('1' | '2' | 'h' | 'r' | 'a' | 'b' | 'c') => Ok(()),
+        _ => Err(Failure::Usage(format!(
+            "`{}`: after the colon stands the choice of origin, 1 or 2, or of axes, H or R, not `{}`",
+            short(text),
+            short(choice)
+        ))),
     }
 }
 

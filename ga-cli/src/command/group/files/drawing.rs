@@ -12,6 +12,11 @@ use std::fmt::Write;
 /// The longer side of a drawing of the plane, in pixels.
 const SIZE: f64 = 900.0;
 
+/// The colours of symmetry elements.
+const AXIS: [u8; 3] = [24, 150, 112];
+const PLANE: [u8; 3] = [204, 92, 140];
+const CENTRE: [u8; 3] = [40, 44, 52];
+
 /// The room around it.
 const MARGIN: f64 = 24.0;
 
@@ -74,7 +79,44 @@ fn lines(drawing: &Drawing) -> Result<String, Failure> {
             }
         }
     }
+    add_elements(drawing, &mut scene)?;
     Ok(svg::encode(&scene)?)
+}
+
+/// The symmetry elements, if there are any to be drawn: axes as lines, planes and centres as outlines.
+fn add_elements(drawing: &Drawing, scene: &mut Scene) -> Result<(), Failure> {
+    let (Some(elements), Some(cell)) = (&drawing.frame.elements, &drawing.frame.cell) else {
+        return Ok(());
+    };
+    let placed = elements
+        .within(drawing.frame.range)
+        .map_err(|reason| Failure::Usage(format!("--symmetry: {reason}")))?;
+    let [axes, planes, centres] =
+        [AXIS, PLANE, CENTRE].map(|colour| scene.add_material(Material::new("element", colour)));
+    let at = |place: &[f64; 3]| cell.cartesian(*place);
+    for segment in &placed.axes {
+        let line = Line::new(segment.ends.iter().map(at).collect(), false)?;
+        scene.add(&segment.axis.to_string(), line, axes)?;
+    }
+    for polygon in &placed.planes {
+        let line = Line::new(polygon.corners.iter().map(at).collect(), true)?;
+        scene.add(&polygon.plane.to_string(), line, planes)?;
+    }
+    let radius = 0.01 * cell.volume().cbrt();
+    for centre in &placed.centres {
+        let [x, y, z] = at(&centre.point);
+        // An octahedron's outline, which is small from every side.
+        let corners = [
+            [x + radius, y, z],
+            [x, y + radius, z],
+            [x, y, z + radius],
+            [x - radius, y, z],
+            [x, y - radius, z],
+            [x, y, z - radius],
+        ];
+        scene.add("-1", Line::new(corners.to_vec(), true)?, centres)?;
+    }
+    Ok(())
 }
 
 /// A path of the plane, y downwards as SVG has it.

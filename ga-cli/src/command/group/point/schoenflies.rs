@@ -40,8 +40,8 @@ pub fn symbol(text: &str) -> Option<String> {
         ('c', "v") => format!("({n})"),
         ('c', "h") => format!("b(({n}))2"),
         // Odd n: the rotation and the inversion.
-        ('c', "i") if n % 2 == 1 => format!("b(({twice})2)"),
-        ('s', "") if n % 2 == 0 => format!("b(({n})2)"),
+        ('c', "i") if !n.is_multiple_of(2) => format!("b(({twice})2)"),
+        ('s', "") if n.is_multiple_of(2) => format!("b(({n})2)"),
         ('s', "") => format!("b(({n}))2"),
         ('d', "") => format!("b(({n}))b(2)"),
         ('d', "h") => format!("({n})2"),
