@@ -116,7 +116,7 @@ const EXAMPLES: &str = "Examples:
   articulate group --all --json | jq '.[].hm'";
 
 const JSON: &str = "Print JSON:
-{kind, number, hm, symbols:{short, full, extended, qualified, schoenflies, hall, geometric}, hall, \
+{kind, number, hm, symbols:{short, full, extended, qualified}, hall, \
 schoenflies, point_group, geometric, system, laue_class, order, lattice:{bravais, pearson, centring}, \
 setting:{choice, standard, from_standard, others}, notation, also:[{notation, number, hm}],
  centring:[[3]], operations:[\"x,y,z\"], generators:[\"T_c^{1/2} ab\"],

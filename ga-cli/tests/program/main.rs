@@ -6,6 +6,8 @@ mod failures;
 mod gallery;
 mod group;
 mod group_failures;
+mod group_files;
+mod group_versors;
 mod run;
 mod symmetry;
 mod tensegrity;
