@@ -87,7 +87,14 @@ fn every_scene_can_be_made_and_has_words_to_it() {
 fn the_program_explains_itself() {
     let directory = directory();
     let help = run(directory.path(), &["--help"]).well();
-    for word in ["gallery", "group", "crystal", "tensegrity", "expand", "Examples:"] {
+    for word in [
+        "gallery",
+        "group",
+        "crystal",
+        "tensegrity",
+        "expand",
+        "Examples:",
+    ] {
         assert!(help.contains(word), "{word}");
     }
     for command in ["gallery", "group", "crystal", "tensegrity", "expand"] {

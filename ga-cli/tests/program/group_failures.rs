@@ -40,14 +40,15 @@ fn numbers_out_of_range_are_told_the_range() {
 #[test]
 fn unknown_symbols_are_answered_with_the_nearest() {
     let long = "x".repeat(100_000);
-    let cases: [(&[&str], &str); 20] = [
+    let cases: [(&[&str], &str); 21] = [
         (&["F q -3 m"], "`F m -3 m`"),
         (&["P 21/q"], "P 1 21/"),
         (&["Oh^11"], "`Oh^10`"),
         (&["F d -3 m:3"], "1 or 2"),
         (&["F d -3 m:H"], "F d -3 m"),
         (&["227:3"], "1 or 2"),
-        (&["b(4)2"], "P A B C I F R H"),
+        (&["b(4)2"], "--point"),
+        (&["4/mmm"], "--point"),
         (&["P b(4)_9"], "subscript"),
         (&["-P 2ybc (x+1/4,y,z)"], "number 14"),
         (&["P 21/c", "--notation", "hall"], "no Hall symbol"),

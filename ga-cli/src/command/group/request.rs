@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use clap::ValueEnum;
 use ga_design::crystallography::{
-    SpaceGroup, SpaceGroupGenerators, SubperiodicGroup, SubperiodicKind,
+    CrystalClass, PointGroup, SpaceGroup, SpaceGroupGenerators, SubperiodicGroup, SubperiodicKind,
 };
 use serde::Serialize;
 
@@ -129,6 +129,15 @@ fn settings(text: &str, notation: Notation) -> Vec<&'static SpaceGroup> {
 fn unknown(text: &str, notation: Option<Notation>) -> Failure {
     if let Some(hall) = unlisted(text) {
         return Failure::Usage(hall);
+    }
+    let is_point = PointGroup::from_geometric(text).is_ok()
+        || CrystalClass::from_international(text).is_ok()
+        || CrystalClass::from_schoenflies(text).is_ok();
+    if is_point && notation.is_none() {
+        return Failure::Usage(format!(
+            "`{}` is no space group but a point group: --point tells of it",
+            short(text)
+        ));
     }
     // Marks that only geometric symbols have.
     let looks_geometric = text.contains("b(") || text.contains('\u{305}');
