@@ -124,11 +124,51 @@
 //! # Ok::<(), ga_design::crystallography::UnknownSubperiodicSymbol>(())
 //! ```
 //!
-//! # 8. Crystals
+//! # 8. Symmetry elements
+//!
+//! What operations leave in place: axes with their screws, mirror and glide planes, inversion
+//! centres. [`SymmetryElements`] finds them exactly, [`overlay`] draws them, and what they enclose
+//! is a [`FundamentalDomain`], the part of the cell that the group repeats.
+//!
+//! ```
+//! use ga_design::crystallography::{FundamentalDomain, SpaceGroup, SymmetryElements};
+//!
+//! let group = SpaceGroup::find("P 21/c")?[0];
+//! let operations = group.operations()?;
+//! let elements = SymmetryElements::of(&operations)?;
+//! assert_eq!(elements.axes()[0].to_string(), "2_1");
+//! assert_eq!((elements.planes()[0].letter(), elements.centres().len()), ('c', 8));
+//! let cell = group.cell_shape().example().cell()?;
+//! let domain = FundamentalDomain::of(&operations, &cell)?;
+//! assert!((4.0 * domain.volume() - cell.volume()).abs() < 1e-9 * cell.volume());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # 9. Motifs
+//!
+//! A [`Pattern`] carries any [`Motif`](motif::Motif) through a group and a block of cells: points,
+//! circles, motors or whichever multivector, curves, struts and meshes. Copies that coincide, as those
+//! in special position do, are one.
+//!
+//! ```
+//! use ga_cga::{DualSphere, Vector3};
+//! use ga_design::crystallography::{Cell, CellRange, Coincidence, Pattern, SpaceGroup};
+//!
+//! let cell = Cell::new([4.0; 3], [90.0; 3])?;
+//! let group = SpaceGroup::find("I m -3 m")?[0];
+//! let pattern = Pattern::of_group(&group.operations()?, &cell, CellRange::UNIT)?;
+//! let ball = DualSphere::with_radius(Vector3::new(0.0, 0.0, 0.0), 1.0);
+//! let when = Coincidence::default();
+//! // At the corners of the cells and in their middles.
+//! assert_eq!(pattern.gathered(ball.center().unwrap_or_default()).distinct(&ball, &when)?.len(), 2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # 10. Crystals
 //!
 //! A [`Crystal`] is a cell, its operations and the sites that differ by more than symmetry;
-//! [`Expansion`] places all their copies. Symmetry is exact (integers and rationals modulo the
-//! lattice); only lengths and coordinates are floating point.
+//! [`Expansion`] places all their copies, [`Bonding`] joins them. Symmetry is exact (integers and
+//! rationals modulo the lattice); only lengths and coordinates are floating point.
 //!
 //! ```
 //! use ga_design::crystallography::{Expansion, cif};
