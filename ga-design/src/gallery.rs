@@ -23,6 +23,7 @@ mod motions;
 mod palette;
 mod point_groups;
 mod reflections;
+mod roots;
 mod screw_arcs;
 mod screws;
 mod spans;
@@ -37,7 +38,7 @@ use crate::crystallography::overlay::OverlayError;
 use crate::crystallography::symmetry_elements::{NoElement, TooManyElements};
 use crate::crystallography::{
     BondError, CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError,
-    HallError, MotifError, PointSymbolError,
+    HallError, MotifError, PointSymbolError, RootsError,
 };
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
@@ -90,6 +91,9 @@ pub enum GalleryError {
     /// A pattern does not fold.
     #[error(transparent)]
     Fold(#[from] FoldError),
+    /// Two numbers stand for no roots.
+    #[error(transparent)]
+    Roots(#[from] RootsError),
     /// A symbol stands for no point group.
     #[error(transparent)]
     PointGroup(#[from] PointSymbolError),
@@ -156,6 +160,7 @@ pub const fn entries() -> &'static [Entry] {
             entry("kaleidoscope", kaleidoscope::scene),
             entry("meets", meets::scene),
             entry("point-groups", point_groups::scene),
+            entry("roots", roots::scene),
             entry("folded-vertex", folded_vertex::scene),
             entry("diamond", crystals::diamond),
             entry("two-reflections", reflections::scene),
