@@ -215,6 +215,7 @@ pub mod motif;
 pub mod operation;
 pub mod overlay;
 pub mod placement;
+pub mod plane_pattern;
 pub mod point_group;
 pub mod recognition;
 pub mod roots;
@@ -250,6 +251,7 @@ pub use lattice::{
 pub use motif::{Coincidence, Curve, Labelled, Motif, MotifCopy, MotifError, Pattern, Strut};
 pub use operation::{Operation, OperationError};
 pub use placement::{Placement, PlacementError};
+pub use plane_pattern::{PlanePattern, PlanePatternError};
 pub use point_group::{
     Bars, CrystalClass, PointGroup, PointSymbol, PointSymbolError, Step, UnknownPointGroup, Word,
 };

@@ -11,8 +11,11 @@
 //! | `.ply` | [`ply`] | surfaces with normals and colours; z up |
 //! | `.svg` | [`svg`] | lines, in parallel projection, for cutting and drawing |
 //! | `.png` | [`picture`] | a rendered picture |
+//!
+//! Patterns of the plane have a drawing of their own, with filled areas: [`flat`].
 
 pub mod error;
+pub mod flat;
 pub mod flatten;
 pub mod gallery;
 pub mod glb;
@@ -30,7 +33,9 @@ pub use error::ExportError;
 pub use gallery::write_gallery;
 pub use material::Material;
 pub use placement::Placement;
-pub use scene::{Instances, Line, MaterialId, Node, Placed, Scene, Shape, ShapeId, View};
+pub use scene::{
+    Attachment, Instances, Line, MaterialId, Node, Placed, Scene, Shape, ShapeId, View,
+};
 
 use std::path::{Path, PathBuf};
 

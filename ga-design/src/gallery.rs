@@ -21,6 +21,7 @@ mod miura;
 mod motif;
 mod motions;
 mod palette;
+mod plane_groups;
 mod point_groups;
 mod reflections;
 mod roots;
@@ -38,7 +39,7 @@ use crate::crystallography::overlay::OverlayError;
 use crate::crystallography::symmetry_elements::{NoElement, TooManyElements};
 use crate::crystallography::{
     BondError, CellError, CellRangeError, ExpansionError, FundamentalDomainError, GenerationError,
-    HallError, MotifError, PointSymbolError, RootsError,
+    HallError, MotifError, PlanePatternError, PointSymbolError, RootsError,
 };
 use crate::export::{ExportError, Scene};
 use crate::folding::FoldError;
@@ -112,6 +113,9 @@ pub enum GalleryError {
     /// A space group did not grow from its roots.
     #[error(transparent)]
     Generation(#[from] GenerationError),
+    /// A pattern of the plane could not be made.
+    #[error(transparent)]
+    PlanePattern(#[from] PlanePatternError),
     /// A pattern could not be made.
     #[error(transparent)]
     Motif(#[from] MotifError),
@@ -172,6 +176,7 @@ pub const fn entries() -> &'static [Entry] {
             entry("rutile", crystals::rutile),
             entry("tetragonal", tetragonal::scene),
             entry("screws", screws::scene),
+            entry("plane-groups", plane_groups::scene),
             entry("motions", motions::scene),
             entry("conformal-motions", conformal_motions::scene),
             entry("miura", miura::scene),

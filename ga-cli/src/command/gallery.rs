@@ -3,14 +3,15 @@
 use crate::failure::Failure;
 use crate::{output, progress};
 use clap::builder::PossibleValuesParser;
+use ga_design::export::gallery::drawing_path;
 use ga_design::export::picture::Settings;
 use ga_design::export::{Scene, write_gallery};
 use ga_design::gallery::{Entry, entries};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Draws every scene into a folder: an interactive page that works offline, and a GLB and a PNG for
-/// each scene.
+/// Draws every scene into a folder: an interactive page that works offline, a GLB and a PNG for each
+/// scene, and in plane-groups/ an SVG drawing for each of the 17 plane groups.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -35,7 +36,7 @@ const EXAMPLES: &str = "Examples:
   articulate gallery --only quartz,covariance --out pictures";
 
 const JSON: &str = "Print the scenes and their files as JSON: {index, scenes:[{name, title, caption, glb, \
-                    png}]}";
+                    png, svg:[…]}]}; svg holds the drawings that go with the scene";
 
 #[derive(Serialize)]
 struct Made<'a> {
@@ -50,6 +51,7 @@ struct MadeScene<'a> {
     caption: &'a str,
     glb: PathBuf,
     png: PathBuf,
+    svg: Vec<PathBuf>,
 }
 
 /// Draws the scenes and tells where to look.
@@ -103,5 +105,10 @@ fn described<'a>(scene: &'a Scene, directory: &Path) -> MadeScene<'a> {
         caption: scene.caption(),
         glb: directory.join(format!("{name}.glb")),
         png: directory.join(format!("{name}.png")),
+        svg: scene
+            .attachments()
+            .iter()
+            .map(|drawing| directory.join(drawing_path(scene, drawing)))
+            .collect(),
     }
 }

@@ -77,14 +77,16 @@ pub enum ExportError {
         /// Pixels down.
         height: u32,
     },
-    /// A scene's name cannot be used as a file name.
-    #[error("“{name}” cannot name a gallery scene: use lower-case letters, digits and hyphens")]
+    /// A name of a scene or drawing cannot be used as a file name.
+    #[error(
+        "“{name}” cannot name a scene or drawing of a gallery: use lower-case letters, digits and hyphens"
+    )]
     SceneName {
         /// The name.
         name: String,
     },
-    /// Two scenes of a gallery have one name.
-    #[error("two scenes are named “{name}”: each needs a name of its own")]
+    /// Two scenes of a gallery, or two drawings of a scene, have one name.
+    #[error("two scenes or drawings are named “{name}”: each needs a name of its own")]
     RepeatedName {
         /// The name.
         name: String,

@@ -1,4 +1,5 @@
-//! Decides what a gallery is: a page that works alone and offline, and a GLB and a PNG per scene.
+//! Decides what a gallery is: a page that works alone and offline, a GLB and a PNG per scene, and the
+//! drawings that go with it.
 //!
 //! The page holds every model and thumbnail inside itself, so that it opens from a folder, a stick
 //! or a mail without a server; the files beside it are for downloading. Its address with `#name`
@@ -6,7 +7,7 @@
 
 use super::picture::{self, Settings};
 use super::svg::escape;
-use super::{ExportError, Scene, glb, write};
+use super::{Attachment, ExportError, Scene, glb, write};
 use base64::{Engine, engine::general_purpose::STANDARD};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -18,8 +19,9 @@ const PAGE: &str = include_str!("../../assets/gallery.html");
 const STYLE: &str = include_str!("../../assets/gallery.css");
 const SCRIPT: &str = include_str!("../../assets/gallery.js");
 
-/// Writes `index.html` and, for each scene, `NAME.glb` and `NAME.png` into a directory, which is made
-/// if it is not there; gives the path of the page. `drawn` is called with each scene when it has been
+/// Writes `index.html` and, for each scene, `NAME.glb`, `NAME.png` and a file `NAME/DRAWING.svg` for
+/// each drawing that is attached to it into a directory, which is made if it is not there; gives the
+/// path of the page. `drawn` is called with each scene when it has been
 /// drawn, to show progress. The settings are those of the pictures; thumbnails are half as large.
 ///
 /// Scenes are drawn side by side on all processors.
@@ -39,7 +41,12 @@ pub fn write_gallery(
     for (path, _) in &mut files {
         *path = directory.join(&*path);
     }
-    write::create_directory(directory)?;
+    let mut made = HashSet::new();
+    for parent in files.iter().filter_map(|(path, _)| path.parent()) {
+        if made.insert(parent) {
+            write::create_directory(parent)?;
+        }
+    }
     write::write_files(&files)?;
     Ok(directory.join("index.html"))
 }
@@ -72,6 +79,12 @@ pub fn encode(
         models += &embedded(scene, &STANDARD.encode(&model));
         files.push((PathBuf::from(format!("{}.glb", scene.name())), model));
         files.push((PathBuf::from(format!("{}.png", scene.name())), image));
+        for drawing in scene.attachments() {
+            files.push((
+                drawing_path(scene, drawing),
+                drawing.svg.clone().into_bytes(),
+            ));
+        }
     }
     let parts = [
         ("{{style}}", STYLE),
@@ -82,6 +95,12 @@ pub fn encode(
     let page = filled(PAGE, &parts);
     files.push((PathBuf::from("index.html"), page.into_bytes()));
     Ok(files)
+}
+
+/// Where a drawing of a scene is, from the directory of the gallery.
+#[must_use]
+pub fn drawing_path(scene: &Scene, drawing: &Attachment) -> PathBuf {
+    PathBuf::from(format!("{}/{}.svg", scene.name(), drawing.name))
 }
 
 /// The files of one scene.
@@ -141,9 +160,16 @@ fn take<'a>(scenes: &'a [Scene], next: &AtomicUsize) -> Option<(usize, &'a Scene
 
 /// Names become file names and fragments of addresses, so only characters that are plain in both.
 fn check_names(scenes: &[Scene]) -> Result<(), ExportError> {
-    let mut seen = HashSet::new();
+    check_all(scenes.iter().map(Scene::name))?;
     for scene in scenes {
-        let name = scene.name();
+        check_all(scene.attachments().iter().map(|one| one.name.as_str()))?;
+    }
+    Ok(())
+}
+
+fn check_all<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), ExportError> {
+    let mut seen = HashSet::new();
+    for name in names {
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         if name.is_empty() || name.len() > 100 || name == "index" || !name.chars().all(plain) {
             return Err(ExportError::SceneName {
@@ -161,6 +187,15 @@ fn check_names(scenes: &[Scene]) -> Result<(), ExportError> {
 
 fn card(scene: &Scene, thumbnail: &str) -> String {
     let [name, title, caption] = [scene.name(), scene.title(), scene.caption()].map(escape);
+    let drawings: String = scene
+        .attachments()
+        .iter()
+        .map(|drawing| {
+            let path = drawing_path(scene, drawing);
+            let [path, label] = [&*path.to_string_lossy(), &drawing.name].map(escape);
+            format!(" <a href=\"{path}\" aria-label=\"{label} as SVG\">{label}</a>")
+        })
+        .collect();
     format!(
         "<li class=\"card\" id=\"card-{name}\">\n\
          <a class=\"open\" href=\"#{name}\">\
@@ -169,7 +204,7 @@ fn card(scene: &Scene, thumbnail: &str) -> String {
          <p class=\"caption\">{caption}</p>\n\
          <p class=\"files\">\
          <a href=\"{name}.glb\" download aria-label=\"{title} as GLB\">GLB</a> \
-         <a href=\"{name}.png\" download aria-label=\"{title} as PNG\">PNG</a></p>\n\
+         <a href=\"{name}.png\" download aria-label=\"{title} as PNG\">PNG</a>{drawings}</p>\n\
          </li>\n"
     )
 }

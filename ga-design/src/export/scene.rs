@@ -117,6 +117,15 @@ pub struct Placed<'a> {
     pub placement: &'a Placement,
 }
 
+/// A drawing that goes with a scene, as the text of an SVG file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attachment {
+    /// The name, for a file in the folder of the scene: lower-case letters, digits and hyphens.
+    pub name: String,
+    /// The text of the SVG file.
+    pub svg: String,
+}
+
 /// The direction from which a scene is looked at, in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
@@ -163,6 +172,7 @@ pub struct Scene {
     materials: Vec<Material>,
     nodes: Vec<Node>,
     instances: Vec<Instances>,
+    attachments: Vec<Attachment>,
 }
 
 impl Scene {
@@ -184,6 +194,7 @@ impl Scene {
             materials: Vec::new(),
             nodes: Vec::new(),
             instances: Vec::new(),
+            attachments: Vec::new(),
         }
     }
 
@@ -278,6 +289,17 @@ impl Scene {
             });
         }
         Ok(())
+    }
+
+    /// Adds a drawing that a gallery writes beside the scene; other formats leave it out.
+    pub fn attach(&mut self, attachment: Attachment) {
+        self.attachments.push(attachment);
+    }
+
+    /// The drawings that go with the scene.
+    #[must_use]
+    pub fn attachments(&self) -> &[Attachment] {
+        &self.attachments
     }
 
     /// The box around a shape, if the scene has both the shape and the material.

@@ -16,7 +16,7 @@ use ga_design::export::{ExportError, Material, MaterialId, Placement, Scene, Vie
 use ga_design::mesh::{self, Ends, Mesh, MeshError};
 
 /// The colours of the copies, by their hand.
-pub const COLOURS: [[u8; 3]; 2] = [[38, 104, 178], [226, 112, 36]];
+pub use ga_design::crystallography::plane_pattern::COLOURS;
 
 /// The colour of the frames of cells.
 pub const FRAME: [u8; 3] = [110, 116, 128];

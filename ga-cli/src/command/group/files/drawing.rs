@@ -5,25 +5,18 @@ use super::super::scene::{COLOURS, Drawing, FRAME};
 use crate::failure::Failure;
 use ga_cga::Point;
 use ga_design::crystallography::Isometry;
-use ga_design::export::svg::{self, escape};
-use ga_design::export::{Line, Material, Scene};
-use std::fmt::Write;
-
-/// The longer side of a drawing of the plane, in pixels.
-const SIZE: f64 = 900.0;
+use ga_design::export::flat::FlatDrawing;
+use ga_design::export::{Line, Material, Scene, svg};
 
 /// The colours of symmetry elements.
 const AXIS: [u8; 3] = [24, 150, 112];
 const PLANE: [u8; 3] = [204, 92, 140];
 const CENTRE: [u8; 3] = [40, 44, 52];
 
-/// The room around it.
-const MARGIN: f64 = 24.0;
-
 /// The drawing.
 pub fn svg(drawing: &Drawing) -> Result<String, Failure> {
     if drawing.frame.is_flat {
-        Ok(flat(drawing))
+        flat(drawing)
     } else {
         lines(drawing)
     }
@@ -119,100 +112,25 @@ fn add_elements(drawing: &Drawing, scene: &mut Scene) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A path of the plane, y downwards as SVG has it.
-struct Path {
-    points: Vec<[f64; 2]>,
-    style: String,
-    is_closed: bool,
-}
-
 /// The plane from above, areas filled.
-fn flat(drawing: &Drawing) -> String {
+fn flat(drawing: &Drawing) -> Result<String, Failure> {
     let frame = &drawing.frame;
-    let mut paths = Vec::new();
-    let hex = |[red, green, blue]: [u8; 3]| format!("#{red:02x}{green:02x}{blue:02x}");
-    let down = |points: Vec<[f64; 3]>| points.iter().map(|[x, y, _]| [*x, -*y]).collect();
+    let mut flat = FlatDrawing::new(frame.title.clone(), frame.caption.clone());
     for offset in frame.range.offsets() {
         let origin = frame.along(offset.map(f64::from)).to_array();
-        // The cell at the origin stands out.
-        let is_first = offset == frame.range.low;
-        let (width, shade) = if is_first {
-            (2.5, [40, 44, 52])
-        } else {
-            (1.0, [176, 182, 192])
-        };
         for ends in frame.segments() {
             let ends = ends.map(|end| [0, 1, 2].map(|i| end[i] + origin[i]));
-            let path = Path {
-                points: down(ends.to_vec()),
-                style: format!(
-                    "class=\"cell\" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"",
-                    hex(shade)
-                ),
-                is_closed: false,
-            };
-            // Edges shared with the first cell are drawn over those of the others.
-            if is_first {
-                paths.push(path);
-            } else {
-                paths.insert(0, path);
-            }
+            flat.add_cell_edge(Line::new(ends.to_vec(), false)?, offset == frame.range.low);
         }
     }
     for placed in &drawing.parts {
         for isometry in frame.repeated(&placed.isometries) {
-            let shade = hex(colour(placed.part.colour, &isometry));
+            let shade = colour(placed.part.colour, &isometry);
             for outline in &placed.part.lines {
-                let style = if outline.is_area {
-                    format!("class=\"motif\" fill=\"{shade}\"")
-                } else {
-                    format!("class=\"motif\" fill=\"none\" stroke=\"{shade}\" stroke-width=\"2\"")
-                };
-                paths.push(Path {
-                    points: down(moved(outline, &isometry)),
-                    style,
-                    is_closed: outline.is_area,
-                });
+                let line = Line::new(moved(outline, &isometry), outline.is_area)?;
+                flat.add(line, shade);
             }
         }
     }
-    written(&frame.title, &frame.caption, &paths)
-}
-
-fn written(title: &str, caption: &str, paths: &[Path]) -> String {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    for point in paths.iter().flat_map(|path| &path.points) {
-        for i in 0..2 {
-            low[i] = low[i].min(point[i]);
-            high[i] = high[i].max(point[i]);
-        }
-    }
-    let extent = [0, 1].map(|i| high[i] - low[i]);
-    let largest = extent[0].max(extent[1]);
-    let scale = if largest > 0.0 { SIZE / largest } else { 1.0 };
-    let [width, height] = extent.map(|side| side * scale + 2.0 * MARGIN);
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}\" height=\"{height:.2}\" \
-         viewBox=\"0 0 {width:.2} {height:.2}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-         <g stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-        escape(title),
-        escape(caption),
-    );
-    for path in paths {
-        let mut line = String::new();
-        for point in &path.points {
-            let [x, y] = [0, 1].map(|i| (point[i] - low[i]) * scale + MARGIN);
-            line.push(if line.is_empty() { 'M' } else { 'L' });
-            // Writing to a text cannot fail.
-            let _ = write!(line, "{x:.2} {y:.2}");
-        }
-        if path.is_closed {
-            line.push('Z');
-        }
-        let _ = writeln!(text, "<path d=\"{line}\" {}/>", path.style);
-    }
-    text += "</g>\n</svg>\n";
-    text
+    Ok(flat.encode()?)
 }
