@@ -50,6 +50,84 @@ fn asked_for_scenes_are_drawn_with_their_page() {
     }
 }
 
+/// The plane groups with the commas of either hand in a cell, by International Tables A.
+const PLANE_GROUPS: [(&str, usize, usize); 17] = [
+    ("c2mm", 4, 4),
+    ("cm", 2, 2),
+    ("p1", 1, 0),
+    ("p2", 2, 0),
+    ("p2gg", 2, 2),
+    ("p2mg", 2, 2),
+    ("p2mm", 2, 2),
+    ("p3", 3, 0),
+    ("p31m", 3, 3),
+    ("p3m1", 3, 3),
+    ("p4", 4, 0),
+    ("p4gm", 4, 4),
+    ("p4mm", 4, 4),
+    ("p6", 6, 0),
+    ("p6mm", 6, 6),
+    ("pg", 1, 1),
+    ("pm", 1, 1),
+];
+
+#[test]
+fn the_plane_groups_are_drawn_as_svg_too() {
+    let directory = directory();
+    let words = ["gallery", "--only", "plane-groups", "--json"];
+    let value = run(directory.path(), &words).json();
+    let folder = directory.path().join("gallery");
+    let expected = [
+        "index.html",
+        "plane-groups",
+        "plane-groups.glb",
+        "plane-groups.png",
+    ];
+    assert_eq!(names(&folder), expected);
+    let files: Vec<String> = PLANE_GROUPS
+        .iter()
+        .map(|(symbol, ..)| format!("{symbol}.svg"))
+        .collect();
+    assert_eq!(names(&folder.join("plane-groups")), files);
+    let listed = value["scenes"][0]["svg"].as_array().expect("a list");
+    assert_eq!(listed.len(), 17);
+    for file in listed {
+        let file = file.as_str().expect("a path");
+        assert!(directory.path().join(file).is_file(), "{file}");
+    }
+    let page = fs::read_to_string(folder.join("index.html")).expect("the page is there");
+    for (symbol, turned, mirrored) in PLANE_GROUPS {
+        assert!(page.contains(&format!("href=\"plane-groups/{symbol}.svg\"")));
+        let path = folder.join(format!("plane-groups/{symbol}.svg"));
+        let text = fs::read_to_string(path).expect("the drawing is there");
+        let drawing = roxmltree::Document::parse(&text).expect("well-formed");
+        let commas = |fill: &str| {
+            let nodes = drawing.descendants();
+            nodes
+                .filter(|node| node.attribute("fill") == Some(fill))
+                .count()
+        };
+        // In 4×3 cells.
+        let found = [commas("#2668b2"), commas("#e27024")];
+        assert_eq!(found, [12 * turned, 12 * mirrored], "{symbol}");
+        // The command for one group draws the same.
+        let words = ["group", symbol, "--wallpaper", "--out", "alone.svg"];
+        run(directory.path(), &words).well();
+        let alone = fs::read_to_string(directory.path().join("alone.svg")).expect("a drawing");
+        assert!(alone == text, "{symbol}");
+    }
+}
+
+#[test]
+fn a_gallery_whose_drawings_have_no_place_is_not_begun() {
+    let directory = directory();
+    fs::create_dir(directory.path().join("gallery")).expect("a folder");
+    fs::write(directory.path().join("gallery/plane-groups"), "a file").expect("a file");
+    let message = run(directory.path(), &["gallery", "--only", "plane-groups"]).message(1);
+    assert!(message.contains("plane-groups"), "{message}");
+    assert_eq!(names(&directory.path().join("gallery")), ["plane-groups"]);
+}
+
 #[test]
 fn people_are_told_where_to_look() {
     let directory = directory();

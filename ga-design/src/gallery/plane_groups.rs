@@ -1,6 +1,7 @@
 //! The 17 plane groups (appendix B): a comma, repeated by each of them, in rows by their lattices.
 
 use super::GalleryError;
+use super::motif::face;
 use super::palette::{SLATE, solid};
 use crate::crystallography::motif::add_instances;
 use crate::crystallography::plane_pattern::COLOURS;
@@ -9,7 +10,7 @@ use crate::crystallography::{
 };
 use crate::export::{Attachment, MaterialId, Scene, View};
 use crate::mesh::{self, Ends, Mesh};
-use ga_cga::Vector3;
+use ga_cga::{Point, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
 mod lettering;
@@ -23,9 +24,9 @@ const ROWS: [&[u32]; 4] = [
 ];
 
 /// The room for a pattern, and the distances of neighbours and rows.
-const ROOM: [f64; 2] = [1.0, 0.66];
+const ROOM: [f64; 2] = [1.0, 0.74];
 const ACROSS: f64 = 1.12;
-const DOWN: f64 = 0.92;
+const DOWN: f64 = 1.0;
 
 /// The height of the lettering, and how far its foot is below the pattern.
 const LETTERS: f64 = 0.1;
@@ -111,6 +112,8 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
         scene.add_material(solid("first cell", [40, 44, 52])?),
         scene.add_material(solid("cell", [176, 182, 192])?),
     ];
+    let paper = scene.add_material(solid("paper", [246, 247, 249])?);
+    scene.add("paper", sheet()?, paper)?;
     let ink = scene.add_material(solid("symbol", SLATE)?);
     for Panel {
         pattern,
@@ -143,6 +146,21 @@ pub(super) fn scene() -> Result<Scene, GalleryError> {
     Ok(scene)
 }
 
+/// A flat box below all panels, for their shadows to fall on.
+fn sheet() -> Result<Mesh, GalleryError> {
+    let half = 2.5 * ACROSS + 0.1;
+    let [low, high] = [-3.0 * DOWN - 0.78, 0.54];
+    let corners = [[-half, low], [half, low], [half, high], [-half, high]];
+    let at = |[x, y]: [f64; 2], z: f64| Point::at(x, y, z);
+    let [top, bottom] = [-0.008, -0.03].map(|z| corners.map(|corner| at(corner, z)));
+    let [a, b, c, d] = bottom;
+    let mut faces = vec![face(&top)?, face(&[d, c, b, a])?];
+    for (from, to) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+        faces.push(face(&[bottom[from], bottom[to], top[to], top[from]])?);
+    }
+    Ok(Mesh::joined(&faces)?)
+}
+
 /// The edges of the cells as rods.
 fn add_frames(
     scene: &mut Scene,
@@ -166,4 +184,170 @@ fn add_frames(
     }
     scene.add(&format!("cells of {name}"), Mesh::joined(&rest)?, others)?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export::Shape;
+
+    /// The symbols with the commas of either hand in a cell: the multiplicities of the general positions
+    /// in International Tables A, table 2.2.6, half of them mirrored where there are reflections or glides.
+    const HANDS: [(&str, usize, usize); 17] = [
+        ("p1", 1, 0),
+        ("p2", 2, 0),
+        ("pm", 1, 1),
+        ("pg", 1, 1),
+        ("cm", 2, 2),
+        ("p2mm", 2, 2),
+        ("p2mg", 2, 2),
+        ("p2gg", 2, 2),
+        ("c2mm", 4, 4),
+        ("p4", 4, 0),
+        ("p4mm", 4, 4),
+        ("p4gm", 4, 4),
+        ("p3", 3, 0),
+        ("p3m1", 3, 3),
+        ("p31m", 3, 3),
+        ("p6", 6, 0),
+        ("p6mm", 6, 6),
+    ];
+
+    /// Vertices of the comma that no symmetry exchanges.
+    const MARKS: [usize; 4] = [0, 20, 41, 80];
+
+    type Marks = [[f64; 2]; 4];
+
+    /// The commas of a panel in fractions of its edges, and whether they are mirrored.
+    fn commas(scene: &Scene, panel: &Panel) -> Vec<(Marks, bool)> {
+        let prefix = format!("{} ", name(panel.pattern.group()));
+        let nodes = scene
+            .placed()
+            .filter(|(node, ..)| node.name.starts_with(&prefix));
+        let commas = nodes.map(|(node, shape, material)| {
+            let Shape::Surface(mesh) = shape else {
+                panic!("a comma is a surface");
+            };
+            let marks = MARKS.map(|at| {
+                let point = Vector3::from(node.placement.apply(mesh.positions()[at])) - panel.shift;
+                let [x, y, _] = panel.pattern.cell().fractional(point.to_array());
+                [x, y]
+            });
+            (marks, material.name() == "mirrored")
+        });
+        commas.collect()
+    }
+
+    /// Whether one comma is the other, moved by whole edges.
+    fn is_same((one, mirrored): &(Marks, bool), other: &(Marks, bool)) -> bool {
+        let apart = |at: usize, axis: usize| one[at][axis] - other.0[at][axis];
+        let whole = [0, 1].map(|axis| apart(0, axis).round());
+        let fits = |at: usize| (0..2).all(|axis| (apart(at, axis) - whole[axis]).abs() < 1e-6);
+        *mirrored == other.1 && (0..MARKS.len()).all(fits)
+    }
+
+    #[test]
+    fn the_copies_of_every_panel_are_invariant_under_its_group_and_no_fewer() {
+        let scene = scene().unwrap();
+        let panels = panels().unwrap();
+        assert_eq!(panels.len(), HANDS.len());
+        for (panel, (symbol, turned, mirrored)) in panels.iter().zip(HANDS) {
+            let group = panel.pattern.group();
+            assert_eq!(name(group), symbol);
+            let commas = commas(&scene, panel);
+            let cells = CELLS.count() as usize;
+            let found = commas.iter().filter(|(_, mirrored)| *mirrored).count();
+            let counted = (commas.len() - found, found);
+            assert_eq!(counted, (cells * turned, cells * mirrored), "{symbol}");
+            // The operations by the Hall symbol, which shares nothing with the generators.
+            let operations = group.operations().unwrap();
+            assert_eq!(operations.len(), turned + mirrored, "{symbol}");
+            for operation in &operations {
+                let [[a, b, _], [c, d, _], _] = operation.rotation();
+                let turns_over = a * d - b * c < 0;
+                for (marks, mirrored) in &commas {
+                    let image = marks.map(|[x, y]| {
+                        let [x, y, _] = operation.apply([x, y, 0.0]);
+                        [x, y]
+                    });
+                    let image = (image, *mirrored != turns_over);
+                    // One in each cell.
+                    let same = commas.iter().filter(|comma| is_same(&image, comma));
+                    assert_eq!(same.count(), cells, "{symbol}: {operation}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_pattern_of_another_group_is_told_apart() {
+        let scene = scene().unwrap();
+        let panels = panels().unwrap();
+        let [pm, p4gm] = [3, 12].map(|number| {
+            let found = panels
+                .iter()
+                .find(|panel| panel.pattern.group().number == number);
+            found.expect("all are there")
+        });
+        let commas = commas(&scene, pm);
+        let operations = p4gm.pattern.group().operations().unwrap();
+        let kept = operations.iter().all(|operation| {
+            let [[a, b, _], [c, d, _], _] = operation.rotation();
+            commas.iter().all(|(marks, mirrored)| {
+                let image = marks.map(|[x, y]| {
+                    let [x, y, _] = operation.apply([x, y, 0.0]);
+                    [x, y]
+                });
+                let image = (image, *mirrored != (a * d - b * c < 0));
+                commas.iter().any(|comma| is_same(&image, comma))
+            })
+        });
+        assert!(!kept);
+    }
+
+    #[test]
+    fn each_group_has_a_drawing_with_the_commas_of_both_hands() {
+        let scene = scene().unwrap();
+        assert_eq!(scene.attachments().len(), HANDS.len());
+        let cells = DRAWN.count() as usize;
+        for (drawing, (symbol, turned, mirrored)) in scene.attachments().iter().zip(HANDS) {
+            assert_eq!(drawing.name, symbol);
+            let page = roxmltree::Document::parse(&drawing.svg).unwrap();
+            let of = |class: &str, fill: &str| {
+                let paths = page.descendants().filter(|node| node.has_tag_name("path"));
+                let paths = paths.filter(|node| {
+                    (node.attribute("class"), node.attribute("fill")) == (Some(class), Some(fill))
+                });
+                paths.count()
+            };
+            let counted = [of("motif", "#2668b2"), of("motif", "#e27024")];
+            assert_eq!(
+                counted,
+                [turned, mirrored].map(|hand| hand * cells),
+                "{symbol}"
+            );
+            assert_eq!(of("cell", "none"), 4 * cells);
+        }
+    }
+
+    #[test]
+    fn nothing_lies_outside_the_sheet_and_no_panel_in_another() {
+        let panels = panels().unwrap();
+        let boxes: Vec<_> = panels
+            .iter()
+            .map(|panel| {
+                let [x, y, _] = panel.shift.to_array();
+                let [[left, right], [low, high]] = extent(&panel.pattern);
+                [left + x, right + x, low + y, high + y]
+            })
+            .collect();
+        let [least, greatest] = sheet().unwrap().bounds();
+        for (at, [left, right, low, high]) in boxes.iter().enumerate() {
+            assert!(least[0] < *left && *right < greatest[0]);
+            assert!(least[1] < *low - BELOW && *high < greatest[1]);
+            for [a, b, c, d] in &boxes[..at] {
+                assert!(b < left || right < a || d < low || high < c);
+            }
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::demo;
 use ga_design::export::gallery::encode;
 use ga_design::export::picture::Settings;
-use ga_design::export::{ExportError, Scene, glb, write_gallery};
+use ga_design::export::{Attachment, ExportError, Scene, glb, write_gallery};
 
 const SMALL: Settings = Settings {
     width: 40,
@@ -92,6 +92,47 @@ fn a_gallery_is_written_with_a_file_per_scene_and_kind() {
         .collect();
     names.sort();
     assert_eq!(names, ["index.html", "one.glb", "one.png"]);
+}
+
+fn with_drawings(names: &[&str]) -> Scene {
+    let mut scene = demo::crystal().unwrap();
+    for name in names {
+        scene.attach(Attachment {
+            name: (*name).to_owned(),
+            svg: format!("<svg id=\"{name}\"/>"),
+        });
+    }
+    scene
+}
+
+#[test]
+fn drawings_are_written_into_a_folder_of_their_scene_and_linked() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = with_drawings(&["p1", "p31m"]);
+    let name = scene.name().to_owned();
+    let index = write_gallery(&[scene], folder.path(), &SMALL, |_| {}).unwrap();
+    let page = std::fs::read_to_string(index).unwrap();
+    for drawing in ["p1", "p31m"] {
+        let path = format!("{name}/{drawing}.svg");
+        let text = std::fs::read_to_string(folder.path().join(&path)).unwrap();
+        assert_eq!(text, format!("<svg id=\"{drawing}\"/>"));
+        assert!(page.contains(&format!("href=\"{path}\"")));
+    }
+}
+
+#[test]
+fn drawings_without_a_plain_name_of_their_own_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("gallery");
+    for name in ["", "..", "a/b", "P1", "p 1", "p2̅"] {
+        let scene = with_drawings(&[name]);
+        let error = write_gallery(&[scene], &directory, &SMALL, |_| {}).unwrap_err();
+        assert!(matches!(error, ExportError::SceneName { .. }), "{name}");
+    }
+    let scene = with_drawings(&["p1", "p1"]);
+    let error = write_gallery(&[scene], &directory, &SMALL, |_| {}).unwrap_err();
+    assert!(matches!(error, ExportError::RepeatedName { .. }));
+    assert!(!directory.exists());
 }
 
 #[test]
