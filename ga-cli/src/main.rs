@@ -1,7 +1,9 @@
 //! The program `articulate`: reads the command line, runs one command, and turns its failure into a
 //! message and an exit code.
 
+mod angle;
 mod command;
+mod destination;
 mod failure;
 mod output;
 mod progress;

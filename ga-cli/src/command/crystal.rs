@@ -5,11 +5,11 @@ mod files;
 mod summary;
 pub mod symmetry;
 
+use crate::destination::{self, Destination};
 use crate::failure::Failure;
 use crate::{output, progress};
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use document::Document;
-use files::Destination;
+use files::Form;
 use ga_design::crystallography::{
     Atom, Bonding, CellRange, CellRangeError, Crystal, Expansion, cif, scene,
 };
@@ -37,10 +37,8 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     cells: Cells,
-    /// A file to save, in the format of its ending: .glb .obj .stl .ply .png .xyz .cif .json. Can be
-    /// given several times; if one file cannot be made, none is.
-    #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(Destination::new))]
-    out: Vec<Destination>,
+    #[arg(long, value_name = "FILE", value_parser = Destination::<Form>::parser(), help = Destination::<Form>::help())]
+    out: Vec<Destination<Form>>,
     /// Find the bonds, and show them as rods. By default they are found where the block has at most
     /// 20000 atoms: those as close as the sum of their covalent radii, a fifth more at most.
     #[arg(long, overrides_with = "no_bonds")]
@@ -148,7 +146,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         atoms: &built,
     };
     let elements = symmetry::elements(file, crystal, arguments.symmetry)?;
-    let mut document = Document::new(crystal, &atoms, bonds.as_deref(), range, &arguments.out);
+    let mut document = Document::new(
+        crystal,
+        &atoms,
+        bonds.as_deref(),
+        range,
+        destination::paths(&arguments.out),
+    );
     document.symmetry_elements = elements.as_ref().map(symmetry::described);
     if !arguments.out.is_empty() {
         let scene = if arguments.out.iter().any(Destination::is_drawn) {

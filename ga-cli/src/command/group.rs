@@ -4,6 +4,7 @@
 mod all;
 mod cell;
 mod document;
+mod domain;
 mod files;
 mod motif;
 mod point;
@@ -15,10 +16,10 @@ mod subperiodic;
 mod summary;
 mod versor;
 
+use crate::destination::{self, Destination};
 use crate::failure::Failure;
 use crate::{output, progress};
-use clap::builder::{PathBufValueParser, TypedValueParser};
-use files::Destination;
+use files::Form;
 use request::{Kind, Notation};
 use std::path::PathBuf;
 
@@ -56,7 +57,7 @@ pub struct Arguments {
     #[arg(long, group = "kind")]
     point: bool,
     /// All groups of the kind: 230 space groups, or 17, 7, 80, 75, or the 32 point groups of crystals.
-    #[arg(long, conflicts_with_all = ["group", "cell", "cells", "at", "motif", "size", "out", "symmetry", "notation", "snap"])]
+    #[arg(long, conflicts_with_all = ["group", "cell", "cells", "at", "motif", "size", "out", "symmetry", "domain", "notation", "snap"])]
     all: bool,
     /// Read the symbol in this notation alone, where it means something in several.
     #[arg(long, value_enum)]
@@ -96,10 +97,12 @@ pub struct Arguments {
     /// Draw the symmetry elements into the files, and list those of one cell in JSON (space groups only).
     #[arg(long)]
     symmetry: bool,
-    /// A file to save, in the format of its ending: .glb .obj .stl .ply .png .svg .json. Can be given
-    /// several times; if one file cannot be made, none is.
-    #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(Destination::new))]
-    out: Vec<Destination>,
+    /// Draw the fundamental domain around the motif into the files, in glass, and tell of it in JSON: the
+    /// part of space that the group repeats to fill all of it (space groups only).
+    #[arg(long)]
+    domain: bool,
+    #[arg(long, value_name = "FILE", value_parser = Destination::<Form>::parser(), help = Destination::<Form>::help())]
+    out: Vec<Destination<Form>>,
     /// Print JSON: the contract is told by --help.
     #[arg(long, long_help = JSON)]
     json: bool,
@@ -109,6 +112,7 @@ const EXAMPLES: &str = "Examples:
   articulate group 227
   articulate group \"P 21/c\" --cell 5,6,7,100 --json
   articulate group 19 --motif hand --out hands.png --out hands.glb
+  articulate group 19 --domain --symmetry --out domain.png
   articulate group 225 --at 0.25,0.25,0.25 --cell 5.64
   articulate group p4g --wallpaper --out p4g.svg
   articulate group p_6_3mc --rod --motif helix --cells 3 --out rod.glb
@@ -123,16 +127,21 @@ setting:{choice, standard, from_standard, others}, notation, also:[{notation, nu
  roots:{p, q, directions:[3], vectors:[3]},
  cell:{a, b, c, alpha, beta, gamma, alpha_deg, beta_deg, gamma_deg, volume},
  generator_versors:[versor], versors:[versor],
- wyckoff:[{letter, multiplicity, site_symmetry, coordinates}],
+ wyckoff:[{letter|null, multiplicity, site_symmetry, coordinates}],
  site:{letter, multiplicity, site_symmetry, place:[3], distance, orbit:[[3]]},
- symmetry_elements, motif:{name, place:[3], size, copies, cells}, files}
+ symmetry_elements,
+ domain:{seed:[3], volume, vertices:[{fract:[3], cart:[3]}],
+   faces:[{normal:[3], distance, vertices:[…], operation, cell:[3]}]},
+ motif:{name, place:[3], size, copies, cells}, files}
 
 `operations` are all modulo the edges of the cell, those of centrings included, `versors` the same in the \
 same order, in the cell given: {operation, mirror:{e1, e2, e3, ni}|null, motor:{1, e12, …}}: the reflection \
 in the dual plane `mirror` comes first, then the motor. `generators` are words in the roots a, b, c after \
 translations, in the standard setting, from which `from_standard` leads here. Lengths are in ångström, alpha, \
 beta and gamma in radians and again in degrees. `site` is there with --at, `symmetry_elements` with --symmetry \
-(as of `articulate crystal`), `motif` and `files` with --out.
+(as of `articulate crystal`), `domain` with --domain: what is nearer to `seed` than to any of its images; \
+each face is in the plane normal · x = distance (outward, in ångström), its corners are places in `vertices` \
+from 0, and beyond it is the neighbour made by `operation` and then moved by `cell` edges. `motif` and `files` with --out.
 
 Plane, frieze, layer and rod groups have the same fields where they make sense, and space_group:{number, hm}, \
 whose generators are theirs too. Point groups have {kind, hm, schoenflies, geometric, overlined, p, q, number, \
@@ -205,6 +214,6 @@ impl Arguments {
 
     /// The paths of the files to be saved.
     fn paths(&self) -> Vec<PathBuf> {
-        self.out.iter().map(|file| file.path.clone()).collect()
+        destination::paths(&self.out)
     }
 }

@@ -5,11 +5,11 @@ mod document;
 mod files;
 mod shape;
 
+use crate::destination::{self, Destination};
 use crate::failure::Failure;
 use crate::{output, progress};
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use document::Document;
-use files::Destination;
+use files::Form;
 use ga_design::export::write::write_files;
 use ga_design::tensegrity::Analysis;
 use shape::Shape;
@@ -24,15 +24,14 @@ use shape::Shape;
 pub struct Arguments {
     #[command(subcommand)]
     shape: Shape,
-    /// A file to save, in the format of its ending: .glb .obj .stl .ply .png .svg .json. Can be given
-    /// several times; if one file cannot be made, none is.
     #[arg(
         long,
         global = true,
         value_name = "FILE",
-        value_parser = PathBufValueParser::new().try_map(Destination::new)
+        value_parser = Destination::<Form>::parser(),
+        help = Destination::<Form>::help()
     )]
-    out: Vec<Destination>,
+    out: Vec<Destination<Form>>,
     /// Print JSON: the contract is told by --help.
     #[arg(long, global = true, long_help = JSON)]
     json: bool,
@@ -65,7 +64,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     mark.finish_and_clear();
 
     let title = arguments.shape.title();
-    let document = Document::new(&title, &structure, &analysis, &arguments.out);
+    let document = Document::new(
+        &title,
+        &structure,
+        &analysis,
+        destination::paths(&arguments.out),
+    );
     let mut contents = Vec::new();
     for destination in &arguments.out {
         contents.extend(destination.contents(&structure, &document)?);

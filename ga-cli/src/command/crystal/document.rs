@@ -1,6 +1,5 @@
 //! Decides what is said about a crystal in JSON: the contract with other programs.
 
-use super::files::Destination;
 use super::symmetry::SymmetryElement;
 use ga_design::crystallography::bonds::coordination;
 use ga_design::crystallography::{Atom, Bond, CellRange, Crystal};
@@ -110,7 +109,7 @@ impl Document {
         atoms: &[Atom],
         bonds: Option<&[Bond]>,
         range: CellRange,
-        files: &[Destination],
+        files: Vec<PathBuf>,
     ) -> Self {
         let counts = bonds.map(|bonds| coordination(bonds, atoms.len()));
         let count = |at: usize| counts.as_ref().and_then(|counts| counts.get(at).copied());
@@ -146,7 +145,7 @@ impl Document {
                 to: range.high,
                 atoms: range.count().saturating_mul(atoms.len() as u64),
             },
-            files: files.iter().map(|file| file.path.clone()).collect(),
+            files,
             symmetry_elements: None,
         }
     }

@@ -3,68 +3,49 @@
 
 use super::Block;
 use super::document::Document;
+use crate::destination::{Destination, Forms};
 use crate::failure::Failure;
 use crate::output;
 use ga_design::crystallography::{CellRange, cif, xyz};
 use ga_design::export::{Format, Scene, encode};
-use std::path::{Path, PathBuf};
-use thiserror::Error;
+use std::path::PathBuf;
 
-/// A file to be saved.
-#[derive(Debug, Clone)]
-pub struct Destination {
-    /// Where.
-    pub path: PathBuf,
-    form: Form,
-}
-
+/// A form in which a crystal is saved. Only lines can be drawn with a pen, and a crystal has none.
 #[derive(Debug, Clone, Copy)]
-enum Form {
+pub enum Form {
+    /// A model or a picture.
     Drawn(Format),
+    /// A list of atoms.
     Xyz,
+    /// A crystal file.
     Cif,
+    /// The document.
     Json,
 }
 
-impl Form {
-    /// The form that an ending asks for, if a crystal has it.
-    fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-        match ending.to_str() {
-            Some("json") => Some(Self::Json),
-            Some("xyz" | "extxyz") => Some(Self::Xyz),
-            Some("cif") => Some(Self::Cif),
-            // Only lines can be drawn with a pen, and a crystal has none.
-            Some("svg") => None,
-            _ => Format::from_path(path).ok().map(Self::Drawn),
-        }
-    }
+impl Forms for Form {
+    const SUBJECT: &'static str = "a crystal";
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("glb", Self::Drawn(Format::Glb)),
+        ("obj", Self::Drawn(Format::Obj)),
+        ("stl", Self::Drawn(Format::Stl)),
+        ("ply", Self::Drawn(Format::Ply)),
+        ("png", Self::Drawn(Format::Png)),
+        ("xyz", Self::Xyz),
+        ("extxyz", Self::Xyz),
+        ("cif", Self::Cif),
+        ("json", Self::Json),
+    ];
 }
 
-/// The ending of a file names no form in which a crystal can be saved.
-#[derive(Debug, Error)]
-#[error(
-    "a crystal cannot be saved under this ending; use one of .glb .obj .stl .ply .png .xyz .cif .json"
-)]
-pub struct UnknownEnding;
-
-impl Destination {
-    /// The file at this path, in the form of its ending.
-    ///
-    /// # Errors
-    /// [`UnknownEnding`], which lists the endings that there are.
-    pub fn new(path: PathBuf) -> Result<Self, UnknownEnding> {
-        let form = Form::of(&path).ok_or(UnknownEnding)?;
-        Ok(Self { path, form })
-    }
-
+impl Destination<Form> {
     /// Whether the file holds a picture or a model, so that a scene must be made.
     pub fn is_drawn(&self) -> bool {
         matches!(self.form, Form::Drawn(_))
     }
 
     /// The files that saving the crystal here writes, not yet written.
-    pub fn contents(
+    pub(super) fn contents(
         &self,
         scene: Option<&Scene>,
         block: &Block<'_>,
@@ -94,7 +75,7 @@ impl Destination {
 }
 
 /// What is told about the files once they are there.
-pub fn written(files: &[Destination], atoms: usize) -> String {
+pub fn written(files: &[Destination<Form>], atoms: usize) -> String {
     let plural = if atoms == 1 { "atom" } else { "atoms" };
     let lines = files
         .iter()

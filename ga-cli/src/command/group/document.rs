@@ -66,7 +66,7 @@ pub struct Periodic {
     /// What depends on a cell.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub placed: Option<Placed>,
-    /// The Wyckoff positions, of a space group.
+    /// The Wyckoff positions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wyckoff: Option<Vec<Wyckoff>>,
     /// The point of `--at`.
@@ -75,6 +75,9 @@ pub struct Periodic {
     /// The symmetry elements of one cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub symmetry_elements: Option<Vec<SymmetryElement>>,
+    /// The fundamental domain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub domain: Option<super::domain::Domain>,
     /// What files show.
     #[serde(flatten)]
     pub drawn: Drawn,
@@ -208,8 +211,8 @@ pub struct UnitCell {
 /// A Wyckoff position.
 #[derive(Debug, Serialize)]
 pub struct Wyckoff {
-    /// Its letter.
-    pub letter: char,
+    /// Its letter; null where International Tables give none.
+    pub letter: Option<char>,
     /// The number of points per cell.
     pub multiplicity: usize,
     /// The oriented symbol of the site symmetry.

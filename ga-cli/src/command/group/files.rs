@@ -3,49 +3,34 @@
 mod drawing;
 
 use super::{Arguments, Made};
+use crate::destination::Forms;
 use crate::failure::Failure;
 use crate::output;
 use ga_design::export::{Format, Scene, encode};
 use std::path::PathBuf;
-use thiserror::Error;
 
-/// A file to be saved.
-#[derive(Debug, Clone)]
-pub struct Destination {
-    /// Where.
-    pub path: PathBuf,
-    form: Form,
-}
-
+/// A form in which a group is saved.
 #[derive(Debug, Clone, Copy)]
-enum Form {
+pub enum Form {
+    /// A model or a picture.
     Surface(Format),
+    /// A drawing.
     Lines,
+    /// The document.
     Json,
 }
 
-/// The ending of a file names no form in which a group can be saved.
-#[derive(Debug, Error)]
-#[error(
-    "a group cannot be saved under this ending; use one of .glb .obj .stl .ply .png .svg .json"
-)]
-pub struct UnknownEnding;
-
-impl Destination {
-    /// The file at this path, in the form of its ending.
-    ///
-    /// # Errors
-    /// [`UnknownEnding`], which lists the endings that there are.
-    pub fn new(path: PathBuf) -> Result<Self, UnknownEnding> {
-        let ending = path.extension().unwrap_or_default();
-        let form = match Format::from_path(&path) {
-            _ if ending.eq_ignore_ascii_case("json") => Form::Json,
-            Ok(Format::Svg) => Form::Lines,
-            Ok(format) => Form::Surface(format),
-            Err(_) => return Err(UnknownEnding),
-        };
-        Ok(Self { path, form })
-    }
+impl Forms for Form {
+    const SUBJECT: &'static str = "a group";
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("glb", Self::Surface(Format::Glb)),
+        ("obj", Self::Surface(Format::Obj)),
+        ("stl", Self::Surface(Format::Stl)),
+        ("ply", Self::Surface(Format::Ply)),
+        ("png", Self::Surface(Format::Png)),
+        ("svg", Self::Lines),
+        ("json", Self::Json),
+    ];
 }
 
 /// The contents of all files that were asked for, not yet written.

@@ -27,6 +27,8 @@ pub struct Part {
     pub lines: Vec<Outline>,
     /// Its colour; without one, that of the hand of the copy.
     pub colour: Option<[u8; 3]>,
+    /// How much of what is behind it it hides, from 0 to 1.
+    pub opacity: f64,
     /// The middle of a sphere, which has no corners by which copies could be compared.
     pub centre: Option<[f64; 3]>,
 }
@@ -52,7 +54,7 @@ pub fn find(text: Option<&str>, is_flat: bool) -> Result<MotifShape, Failure> {
     match ending.to_str() {
         Some("obj") => file::obj(path),
         Some("stl") => file::stl(path),
-        Some("xyz") => file::xyz(path),
+        Some("xyz") => file::atoms(path),
         _ => Err(Failure::Usage(format!(
             "--motif {}: no such motif; give one of {}, or a file .obj, .stl or .xyz",
             short(text),
@@ -84,6 +86,7 @@ fn brought(motif: AsymmetricMotif, is_flat: bool) -> Result<MotifShape, MeshErro
             mesh,
             lines,
             colour: None,
+            opacity: 1.0,
             centre: None,
         }],
     })

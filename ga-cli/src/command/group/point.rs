@@ -19,6 +19,7 @@ pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
         ("--cell", arguments.cell.is_some()),
         ("--cells", arguments.cells.is_some()),
         ("--symmetry", arguments.symmetry),
+        ("--domain", arguments.domain),
         ("--at", arguments.at.is_some()),
     ];
     if let Some((option, _)) = lattice_options.into_iter().find(|(_, given)| *given) {

@@ -123,24 +123,19 @@ impl Drawing {
         let hands = ["turned", "mirrored"];
         let mut colours = Vec::new();
         for (name, colour) in hands.into_iter().zip(COLOURS) {
-            colours.push(solid(&mut scene, name, colour)?);
+            colours.push(material(&mut scene, name, colour, 1.0)?);
         }
         for placed in &self.parts {
+            let Part { name, opacity, .. } = &placed.part;
             let of_part = match placed.part.colour {
-                Some(colour) => [solid(&mut scene, &placed.part.name, colour)?; 2],
+                Some(colour) => [material(&mut scene, name, colour, *opacity)?; 2],
                 None => match colours.as_slice() {
                     [turned, mirrored] => [*turned, *mirrored],
                     _ => continue,
                 },
             };
             let all = frame.repeated(&placed.isometries);
-            add_instances(
-                &mut scene,
-                &placed.part.name,
-                &placed.part.mesh,
-                of_part,
-                all,
-            )?;
+            add_instances(&mut scene, name, &placed.part.mesh, of_part, all)?;
         }
         self.add_frame(&mut scene)?;
         if let (Some(elements), Some(cell)) = (&frame.elements, &frame.cell) {
@@ -189,6 +184,12 @@ impl Frame {
             Some(cell) => cell.fractional(place),
             None => place,
         }
+    }
+
+    /// The middle of the motif, in fractions of the edges.
+    pub fn middle(&self) -> [f64; 3] {
+        let (place, _) = self.place();
+        self.fractions(place)
     }
 
     /// Where the motif goes, and the distance to its nearest image.
@@ -295,9 +296,14 @@ pub fn from_above() -> View {
     }
 }
 
-fn solid(scene: &mut Scene, name: &str, colour: [u8; 3]) -> Result<MaterialId, Failure> {
+fn material(
+    scene: &mut Scene,
+    name: &str,
+    colour: [u8; 3],
+    opacity: f64,
+) -> Result<MaterialId, Failure> {
     let material = Material::new(name, colour).with_roughness(0.38)?;
-    Ok(scene.add_material(material))
+    Ok(scene.add_material(material.with_opacity(opacity)?))
 }
 
 /// Refuses what would take hours or fill the memory.

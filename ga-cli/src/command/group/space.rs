@@ -8,7 +8,7 @@ use super::request::{self, Found};
 use super::scene::{Drawing, Frame};
 use super::site::{self, Site};
 use super::versor::Versor;
-use super::{Arguments, Made, cell, summary};
+use super::{Arguments, Made, cell, domain, summary};
 use crate::command::crystal::symmetry;
 use crate::failure::Failure;
 use ga_cga::Vector3;
@@ -16,6 +16,7 @@ use ga_design::crystallography::{
     BravaisLattice, Centring, Generation, Operation, SpaceGroup, SpaceGroupGenerators,
     SymmetryElements, WyckoffPositions,
 };
+use ga_design::export::ExportError;
 
 /// Makes what was asked for of the group that the text means.
 pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
@@ -77,24 +78,35 @@ pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
     });
     document.symmetry_elements = elements.as_ref().map(symmetry::described);
 
+    let frame = Frame {
+        title: format!("{} (number {})", group.symbol, group.number),
+        caption: caption(group, elements.as_ref(), arguments.domain),
+        isometries: versors,
+        cell: Some(cell),
+        edges,
+        periodic: [true; 3],
+        is_flat: false,
+        range,
+        place: site.as_ref().map(|site| site.place),
+        elements,
+    };
+    let domain = if arguments.domain {
+        Some(domain::find(&operations, &cell, frame.middle())?)
+    } else {
+        None
+    };
+    document.domain = domain
+        .as_ref()
+        .map(|domain| domain::described(domain, &operations, &cell));
     let drawing = if arguments.out.is_empty() {
         None
     } else {
-        Some(Drawing::new(
-            arguments,
-            Frame {
-                title: format!("{} (number {})", group.symbol, group.number),
-                caption: caption(group, elements.as_ref()),
-                isometries: versors,
-                cell: Some(cell),
-                edges,
-                periodic: [true; 3],
-                is_flat: false,
-                range,
-                place: site.as_ref().map(|site| site.place),
-                elements,
-            },
-        )?)
+        let mut drawing = Drawing::new(arguments, frame)?;
+        if let Some(domain) = &domain {
+            let parts = domain::parts(domain).map_err(ExportError::from)?;
+            drawing.parts.extend(parts);
+        }
+        Some(drawing)
     };
     document.drawn = Drawn {
         motif: drawing.as_ref().map(Drawing::place),
@@ -171,6 +183,7 @@ pub fn periodic(
         wyckoff: None,
         site: None,
         symmetry_elements: None,
+        domain: None,
         drawn: Drawn::default(),
     })
 }
@@ -179,7 +192,7 @@ pub fn periodic(
 fn wyckoff(positions: &WyckoffPositions) -> Vec<Wyckoff> {
     let all = positions.positions().iter();
     all.map(|position| Wyckoff {
-        letter: position.letter,
+        letter: Some(position.letter),
         multiplicity: position.multiplicity,
         site_symmetry: position.site_symmetry.clone(),
         coordinates: position
@@ -246,14 +259,19 @@ fn remarks(found: &Found, text: &str) -> Vec<String> {
     remarks
 }
 
-fn caption(group: &SpaceGroup, elements: Option<&SymmetryElements>) -> String {
-    let base = format!(
+fn caption(group: &SpaceGroup, elements: Option<&SymmetryElements>, domain: bool) -> String {
+    let mut base = format!(
         "Space group {}, number {}, {}: the copies that a reflection has turned into their mirror images \
          have the second colour.",
         group.symbol,
         group.number,
         group.crystal_system()
     );
+    if domain {
+        base.push_str(
+            " In glass what is nearer to one of them than to any other: a fundamental domain.",
+        );
+    }
     symmetry::caption(base, elements)
 }
 

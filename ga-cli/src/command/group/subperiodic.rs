@@ -2,6 +2,7 @@
 
 use super::document::{
     Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, UnitCell,
+    Wyckoff,
 };
 use super::request;
 use super::scene::{Drawing, Frame};
@@ -18,12 +19,12 @@ use ga_design::crystallography::{
 
 /// Makes what was asked for of the group that the text means.
 pub fn make(arguments: &Arguments, kind: SubperiodicKind, text: &str) -> Result<Made, Failure> {
-    if arguments.symmetry || arguments.notation.is_some() {
-        let option = if arguments.symmetry {
-            "--symmetry"
-        } else {
-            "--notation"
-        };
+    let space_options = [
+        ("--symmetry", arguments.symmetry),
+        ("--domain", arguments.domain),
+        ("--notation", arguments.notation.is_some()),
+    ];
+    if let Some((option, _)) = space_options.into_iter().find(|(_, given)| *given) {
         return Err(Failure::Usage(format!(
             "{option} is for space groups; leave it out, or leave --{} out",
             flag(kind)
@@ -44,6 +45,7 @@ pub fn make(arguments: &Arguments, kind: SubperiodicKind, text: &str) -> Result<
         .iter()
         .map(|group| group.qualified_symbol())
         .collect();
+    document.wyckoff = wyckoff(group);
     document.placed = Some(Placed {
         cell: UnitCell::of(&cell),
         generator_versors: grown
@@ -237,8 +239,21 @@ pub fn periodic_document(group: &SubperiodicGroup, grown: &Grown) -> Periodic {
         wyckoff: None,
         site: None,
         symmetry_elements: None,
+        domain: None,
         drawn: Drawn::default(),
     }
+}
+
+/// The Wyckoff positions, the general one last.
+fn wyckoff(group: &SubperiodicGroup) -> Option<Vec<Wyckoff>> {
+    let positions = group.wyckoff_positions()?;
+    let told = positions.into_iter().map(|position| Wyckoff {
+        letter: position.letter,
+        multiplicity: position.multiplicity,
+        coordinates: position.triplets(),
+        site_symmetry: position.site_symmetry,
+    });
+    Some(told.collect())
 }
 
 /// The system: in the plane oblique, rectangular, square or hexagonal.

@@ -33,7 +33,7 @@ pub fn periodic(group: &Periodic) -> String {
             }
             rows.push(vec![
                 format!("  {}", position.multiplicity),
-                position.letter.to_string(),
+                position.letter.map_or_else(String::new, String::from),
                 position.site_symmetry.clone(),
                 triplets.join(" "),
             ]);

@@ -1,6 +1,5 @@
 //! Decides what is said about a structure, to other programs and to people.
 
-use super::files::Destination;
 use crate::output;
 use ga_design::tensegrity::{Analysis, Member, Role, Structure};
 use serde::Serialize;
@@ -65,7 +64,7 @@ impl Document {
         shape: &str,
         structure: &Structure,
         analysis: &Analysis,
-        files: &[Destination],
+        files: Vec<PathBuf>,
     ) -> Self {
         let ends = Members::of(structure, |member| member.ends);
         let nodes = structure.nodes().iter();
@@ -84,7 +83,7 @@ impl Document {
             eigenvalues: analysis.eigenvalues.clone(),
             nullity: analysis.nullity,
             residual: analysis.residual(structure),
-            files: files.iter().map(|file| file.path.clone()).collect(),
+            files,
         }
     }
 

@@ -2,51 +2,36 @@
 //! the JSON document.
 
 use super::document::Document;
+use crate::destination::{Destination, Forms};
 use crate::failure::Failure;
 use crate::output;
 use ga_design::export::{Format, encode};
 use ga_design::tensegrity::{Structure, scene};
 use std::path::PathBuf;
-use thiserror::Error;
 
-/// A file to be saved.
-#[derive(Debug, Clone)]
-pub struct Destination {
-    /// Where.
-    pub path: PathBuf,
-    form: Form,
-}
-
+/// A form in which a structure is saved.
 #[derive(Debug, Clone, Copy)]
-enum Form {
+pub enum Form {
+    /// A model or a picture.
     Drawn(Format),
+    /// The document.
     Json,
 }
 
-/// The ending of a file names no form in which a structure can be saved.
-#[derive(Debug, Error)]
-#[error(
-    "a structure cannot be saved under this ending; use one of .glb .obj .stl .ply .png .svg .json"
-)]
-pub struct UnknownEnding;
+impl Forms for Form {
+    const SUBJECT: &'static str = "a structure";
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("glb", Self::Drawn(Format::Glb)),
+        ("obj", Self::Drawn(Format::Obj)),
+        ("stl", Self::Drawn(Format::Stl)),
+        ("ply", Self::Drawn(Format::Ply)),
+        ("png", Self::Drawn(Format::Png)),
+        ("svg", Self::Drawn(Format::Svg)),
+        ("json", Self::Json),
+    ];
+}
 
-impl Destination {
-    /// The file at this path, in the form of its ending.
-    ///
-    /// # Errors
-    /// [`UnknownEnding`], which lists the endings that there are.
-    pub fn new(path: PathBuf) -> Result<Self, UnknownEnding> {
-        let is_json = path
-            .extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-        let form = if is_json {
-            Form::Json
-        } else {
-            Form::Drawn(Format::from_path(&path).map_err(|_| UnknownEnding)?)
-        };
-        Ok(Self { path, form })
-    }
-
+impl Destination<Form> {
     /// The files that saving the structure here writes, not yet written.
     pub fn contents(
         &self,
@@ -72,7 +57,7 @@ impl Destination {
 }
 
 /// What is told about the files once they are there.
-pub fn written(files: &[Destination], document: &Document) -> String {
+pub fn written(files: &[Destination<Form>], document: &Document) -> String {
     let lines = files
         .iter()
         .map(|file| format!("{}: {}\n", file.path.display(), document.caption()));

@@ -1,5 +1,6 @@
 //! Decides which structures can be asked for, with which parameters.
 
+use crate::angle::angle;
 use clap::{Subcommand, ValueEnum, value_parser};
 use ga_design::tensegrity::{
     BALANCED_RATIO, Hand, Octahedron, Polyhedron, Prism, Solid, Structure, TensegrityError, Tower,
@@ -226,23 +227,4 @@ fn positive(text: &str) -> Result<f64, String> {
     } else {
         Err("it must be from 1e-12 to 1e12".to_owned())
     }
-}
-
-/// An angle in radians, or in degrees if `deg` is written after it.
-fn angle(text: &str) -> Result<f64, String> {
-    let (number, is_degrees) = match text.strip_suffix("deg") {
-        Some(number) => (number.trim_end(), true),
-        None => (text, false),
-    };
-    let value: f64 = number
-        .parse()
-        .map_err(|_| "it is no angle; write it as 0.5236 or 30deg".to_owned())?;
-    if !value.is_finite() {
-        return Err("it must be finite".to_owned());
-    }
-    Ok(if is_degrees {
-        value.to_radians()
-    } else {
-        value
-    })
 }

@@ -1,9 +1,9 @@
-//! Decides how a motif is read from a file: OBJ and STL surfaces by the readers of others, XYZ atoms here;
-//! and how it is brought to the size of the unit ball.
+//! Decides how a motif is read from a file: OBJ and STL surfaces, XYZ atoms; and how it is brought to the
+//! size of the unit ball.
 
 use super::{MotifShape, Outline, Part};
 use crate::failure::Failure;
-use ga_design::crystallography::Element;
+use ga_design::crystallography::xyz;
 use ga_design::mesh::{self, Mesh};
 use std::fs;
 use std::io::{BufReader, Cursor, ErrorKind};
@@ -136,6 +136,7 @@ fn surface(
             name,
             mesh,
             colour: None,
+            opacity: 1.0,
             centre: None,
         }],
     })
@@ -176,53 +177,16 @@ fn edges(mesh: &Mesh) -> Vec<Outline> {
         .collect()
 }
 
-/// The atoms of an XYZ file: their number, a line of comment, then element and place of each.
-pub fn xyz(path: &Path) -> Result<MotifShape, Failure> {
+/// The atoms of an XYZ file.
+pub fn atoms(path: &Path) -> Result<MotifShape, Failure> {
     let bytes = read(path)?;
     let text = String::from_utf8(bytes).map_err(|_| wrong(path, "give a text file in UTF-8"))?;
-    let at_line = |line: usize, message: String| Failure::Motif {
-        file: path.to_owned(),
-        message: format!("line {line}: {message}"),
-    };
-    let mut lines = text.lines();
-    let first = lines.next().unwrap_or_default();
-    let count: usize = first
-        .trim()
-        .parse()
-        .ok()
-        .filter(|count| (1..=MOST_ATOMS).contains(count))
-        .ok_or_else(|| {
-            at_line(
-                1,
-                format!("an XYZ file begins with the number of its atoms, from 1 to {MOST_ATOMS}"),
-            )
-        })?;
-    let mut atoms = Vec::new();
-    for (row, line) in lines.skip(1).take(count).enumerate() {
-        let mut words = line.split_whitespace();
-        let name = words.next().unwrap_or_default();
-        let element = Element::from_label(name)
-            .ok_or_else(|| at_line(row + 3, format!("`{}` is no element", super::short(name))))?;
-        let mut number = || {
-            let value: Option<f64> = words.next()?.parse().ok();
-            value.filter(|value| value.abs() < 1e9)
-        };
-        let (Some(x), Some(y), Some(z)) = (number(), number(), number()) else {
-            return Err(at_line(
-                row + 3,
-                String::from("an element and three numbers are needed"),
-            ));
-        };
-        atoms.push((element, [x, y, z]));
-    }
-    if atoms.len() < count {
-        let line = text.lines().count();
-        return Err(at_line(
-            line,
-            format!(
-                "cut off: {count} atoms are promised, {} are there",
-                atoms.len()
-            ),
+    let atoms = xyz::read(&text).map_err(|reason| wrong(path, reason.to_string()))?;
+    if !(1..=MOST_ATOMS).contains(&atoms.len()) {
+        let count = atoms.len();
+        return Err(wrong(
+            path,
+            format!("line 1: a motif has from 1 to {MOST_ATOMS} atoms, here are {count}"),
         ));
     }
     let positions: Vec<[f64; 3]> = atoms.iter().map(|(_, place)| *place).collect();
@@ -243,6 +207,7 @@ pub fn xyz(path: &Path) -> Result<MotifShape, Failure> {
             mesh: Mesh::from_triangles(points.collect(), unit.triangles().to_vec())?,
             lines: vec![circle(centre, radius)],
             colour: Some(element.colour()),
+            opacity: 1.0,
             centre: Some(centre),
         })
     });
