@@ -5,6 +5,7 @@ mod expand;
 mod failures;
 mod gallery;
 mod group;
+mod group_domain;
 mod group_failures;
 mod group_files;
 mod group_versors;

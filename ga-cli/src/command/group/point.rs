@@ -24,7 +24,7 @@ pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
     ];
     if let Some((option, _)) = lattice_options.into_iter().find(|(_, given)| *given) {
         return Err(Failure::Usage(format!(
-            "{option} is for groups with a lattice; leave it out, or leave --point out"
+            "{option} needs a lattice, which a point group has none of; leave it out, or leave --point out"
         )));
     }
     let found = find(text, arguments.notation)?;
