@@ -14,6 +14,7 @@
 //!
 //! Patterns of the plane have a drawing of their own, with filled areas: [`flat`].
 
+pub mod attachment;
 pub mod error;
 pub mod flat;
 pub mod flatten;
@@ -27,15 +28,16 @@ pub mod ply;
 pub mod scene;
 pub mod stl;
 pub mod svg;
+pub mod view;
 pub mod write;
 
+pub use attachment::Attachment;
 pub use error::ExportError;
 pub use gallery::write_gallery;
 pub use material::Material;
 pub use placement::Placement;
-pub use scene::{
-    Attachment, Instances, Line, MaterialId, Node, Placed, Scene, Shape, ShapeId, View,
-};
+pub use scene::{Instances, Line, MaterialId, Node, Placed, Scene, Shape, ShapeId};
+pub use view::View;
 
 use std::path::{Path, PathBuf};
 

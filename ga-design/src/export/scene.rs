@@ -1,6 +1,6 @@
 //! Decides what a scene is: named nodes that place shared shapes and materials, a title and a caption.
 
-use super::{ExportError, Material, Placement};
+use super::{Attachment, ExportError, Material, Placement, View};
 use crate::mesh::{self, Mesh};
 
 /// A line through points, without thickness.
@@ -115,34 +115,6 @@ pub struct Placed<'a> {
     pub name: &'a str,
     /// Where it stands.
     pub placement: &'a Placement,
-}
-
-/// A drawing that goes with a scene, as the text of an SVG file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Attachment {
-    /// The name, for a file in the folder of the scene: lower-case letters, digits and hyphens.
-    pub name: String,
-    /// The text of the SVG file.
-    pub svg: String,
-}
-
-/// The direction from which a scene is looked at, in radians.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
-    /// Angle of the eye around z, from the x axis towards y.
-    pub azimuth: f64,
-    /// Angle of the eye above the xy plane.
-    pub elevation: f64,
-}
-
-impl Default for View {
-    /// From the front right and somewhat above, the usual view of a structure.
-    fn default() -> Self {
-        Self {
-            azimuth: -1.05,
-            elevation: 0.38,
-        }
-    }
 }
 
 /// A picture's or a model's content, in the unit and the right-handed axes of the design; z is up.
