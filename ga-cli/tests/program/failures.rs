@@ -108,9 +108,15 @@ fn what_is_missing_or_wrong_in_a_crystal_is_named() {
 fn paths_that_lead_to_no_file_are_named() {
     let directory = directory();
     let message = run(directory.path(), &["crystal", "missing.cif"]).message(1);
-    assert!(message.contains("missing.cif"), "{message}");
+    assert!(
+        message.contains("missing.cif") && message.contains("no such file; check the path"),
+        "{message}"
+    );
     let message = run(directory.path(), &["crystal", "."]).message(1);
-    assert!(message.contains("cannot be read"), "{message}");
+    assert!(
+        message.contains("it is a directory; name a file in it"),
+        "{message}"
+    );
 }
 
 #[test]

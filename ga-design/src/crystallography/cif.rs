@@ -6,7 +6,7 @@
 //! and remedy. Dots in data names (as in macromolecular files) count as underscores.
 
 use std::fmt;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use super::crystal::Crystal;
@@ -84,7 +84,7 @@ pub fn read_file(path: impl AsRef<Path>) -> Result<Reading, CifError> {
         file: file.clone(),
         line: None,
         problem: Problem::Unreadable {
-            reason: error.to_string(),
+            reason: refusal(&error),
         },
     };
     // One byte more than allowed tells a file that is too large, without reading all of it.
@@ -96,6 +96,16 @@ pub fn read_file(path: impl AsRef<Path>) -> Result<Reading, CifError> {
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
     read_bytes(&file, &bytes)
+}
+
+/// Why the operating system refused to read a file, and what would be right.
+fn refusal(error: &std::io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => String::from("there is no such file; check the path"),
+        ErrorKind::IsADirectory => String::from("it is a directory; name a file in it"),
+        ErrorKind::PermissionDenied => String::from("you may not read it; change its permissions"),
+        _ => error.to_string(),
+    }
 }
 
 /// Reads the first crystal of a file already in memory; `file` is its name for messages.
