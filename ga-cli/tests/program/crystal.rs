@@ -295,7 +295,10 @@ fn help_tells_everything_about_crystals() {
     for word in [
         "--cells",
         "--out",
-        ".xyz .cif .json",
+        ".xyz",
+        ".extxyz",
+        ".cif",
+        ".json",
         "--bonds",
         "--no-bonds",
         "coordination",
