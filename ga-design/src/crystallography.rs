@@ -146,7 +146,7 @@
 //!
 //! # 9. Motifs
 //!
-//! A [`Pattern`] carries any [`Motif`](motif::Motif) through a group and a block of cells: points,
+//! A [`Pattern`] carries any [`Motif`] through a group and a block of cells: points,
 //! circles, motors or whichever multivector, curves, struts and meshes. Copies that coincide, as those
 //! in special position do, are one.
 //!
