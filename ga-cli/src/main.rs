@@ -7,6 +7,7 @@ mod destination;
 mod failure;
 mod output;
 mod progress;
+mod unit_cell;
 
 use clap::Parser;
 use command::Command;

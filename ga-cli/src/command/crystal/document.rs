@@ -1,6 +1,7 @@
 //! Decides what is said about a crystal in JSON: the contract with other programs.
 
 use super::symmetry::SymmetryElement;
+use crate::unit_cell::UnitCell;
 use ga_design::crystallography::bonds::coordination;
 use ga_design::crystallography::{Atom, Bond, CellRange, Crystal};
 use serde::Serialize;
@@ -36,31 +37,6 @@ pub struct Document {
     /// The symmetry elements of one cell, where they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub symmetry_elements: Option<Vec<SymmetryElement>>,
-}
-
-/// The six parameters, and what follows from them.
-#[derive(Debug, Serialize)]
-pub struct UnitCell {
-    /// In ångström.
-    pub a: f64,
-    /// In ångström.
-    pub b: f64,
-    /// In ångström.
-    pub c: f64,
-    /// Between b and c, in radians.
-    pub alpha: f64,
-    /// Between c and a, in radians.
-    pub beta: f64,
-    /// Between a and b, in radians.
-    pub gamma: f64,
-    /// The same in degrees, as in the file.
-    pub alpha_deg: f64,
-    /// The same in degrees, as in the file.
-    pub beta_deg: f64,
-    /// The same in degrees, as in the file.
-    pub gamma_deg: f64,
-    /// In cubic ångström.
-    pub volume: f64,
 }
 
 /// An atom of the unit cell.
@@ -113,26 +89,13 @@ impl Document {
     ) -> Self {
         let counts = bonds.map(|bonds| coordination(bonds, atoms.len()));
         let count = |at: usize| counts.as_ref().and_then(|counts| counts.get(at).copied());
-        let [a, b, c] = crystal.cell.edges();
-        let [alpha_deg, beta_deg, gamma_deg] = crystal.cell.angles();
         let volume = crystal.cell.volume();
         Self {
             name: crystal.name.clone(),
             formula: formula(atoms),
             number: crystal.number,
             hm: crystal.hermann_mauguin.clone(),
-            cell: UnitCell {
-                a,
-                b,
-                c,
-                alpha: alpha_deg.to_radians(),
-                beta: beta_deg.to_radians(),
-                gamma: gamma_deg.to_radians(),
-                alpha_deg,
-                beta_deg,
-                gamma_deg,
-                volume,
-            },
+            cell: UnitCell::of(&crystal.cell),
             density: density(atoms, volume),
             atoms: atoms
                 .iter()

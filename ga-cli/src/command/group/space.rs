@@ -1,8 +1,7 @@
 //! Decides what is told of a space group, and what is drawn of it.
 
 use super::document::{
-    Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, UnitCell,
-    Wyckoff,
+    Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, Wyckoff,
 };
 use super::request::{self, Found};
 use super::scene::{Drawing, Frame};
@@ -11,6 +10,7 @@ use super::versor::Versor;
 use super::{Arguments, Made, cell, domain, summary};
 use crate::command::crystal::symmetry;
 use crate::failure::Failure;
+use crate::unit_cell::UnitCell;
 use ga_cga::Vector3;
 use ga_design::crystallography::{
     BravaisLattice, Centring, Generation, Operation, SpaceGroup, SpaceGroupGenerators,

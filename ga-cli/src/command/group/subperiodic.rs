@@ -1,8 +1,7 @@
 //! Decides what is told of a plane, frieze, layer or rod group, and what is drawn of it.
 
 use super::document::{
-    Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, UnitCell,
-    Wyckoff,
+    Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, Wyckoff,
 };
 use super::request;
 use super::scene::{Drawing, Frame};
@@ -10,6 +9,7 @@ use super::site::{self, Site};
 use super::versor::Versor;
 use super::{Arguments, Made, cell, summary};
 use crate::failure::Failure;
+use crate::unit_cell::UnitCell;
 use ga_cga::Vector3;
 use ga_design::crystallography::{
     Cell, ChangeOfBasis, CrystalSystem, Generation, Isometry, Operation, SpaceGroup,
