@@ -40,6 +40,18 @@ pub trait Scalar:
 
     /// The integer `n` as an element of the ring, rounded as the ring rounds.
     fn from_integer(n: i64) -> Self;
+
+    /// `self + a b`, rounded once where the target multiplies and adds in one instruction.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
+    /// `self − a b`, rounded once where the target multiplies and adds in one instruction.
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
 }
 
 /// A [`Scalar`] that divides: what inverses and metrics with fractional entries need.

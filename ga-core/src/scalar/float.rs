@@ -13,6 +13,19 @@ macro_rules! float {
             fn from_integer(n: i64) -> Self {
                 n as $float
             }
+
+            // Elsewhere a fused operation is a call of a function, many times slower.
+            #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+            #[inline(always)]
+            fn plus_product(self, a: Self, b: Self) -> Self {
+                a.mul_add(b, self)
+            }
+
+            #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+            #[inline(always)]
+            fn minus_product(self, a: Self, b: Self) -> Self {
+                (-a).mul_add(b, self)
+            }
         }
 
         /// Zero, numbers whose reciprocal overflows, and what is not finite are not invertible.

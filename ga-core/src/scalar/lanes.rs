@@ -20,6 +20,16 @@ macro_rules! lanes {
             fn from_integer(n: i64) -> Self {
                 $lanes::new([n as $float; $count])
             }
+
+            #[inline(always)]
+            fn plus_product(self, a: Self, b: Self) -> Self {
+                a.mul_add(b, self)
+            }
+
+            #[inline(always)]
+            fn minus_product(self, a: Self, b: Self) -> Self {
+                a.mul_neg_add(b, self)
+            }
         }
 
         impl Field for $lanes {
