@@ -20,6 +20,7 @@ macro_rules! element {
     ) => {
         impl<T: $crate::Scalar> $crate::ops::Element for $Name<T> {
             type Number = T;
+            type Over<U: $crate::Scalar> = $Name<U>;
             const BLADES: &'static [($crate::Blade, i8)] =
                 &[$(($crate::Blade::new($mask), $sign)),*];
             const FIXED: &'static [($crate::Blade, i8, i64, i64)] =

@@ -17,6 +17,9 @@ pub trait Element: Copy + PartialEq {
     /// The type of the coefficients.
     type Number: Scalar;
 
+    /// The same type over other numbers: what [`Number`](Element::Number) is replaced by.
+    type Over<U: Scalar>: Element<Number = U>;
+
     /// The blades of the stored coefficients in their order, as bitmask and the sign that the
     /// spelling has against the increasing order (−1 for `e31`).
     const BLADES: &'static [(Blade, i8)];

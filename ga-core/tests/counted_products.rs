@@ -21,6 +21,7 @@ struct Counted<T>(T);
 
 impl<T: Scalar> Element for Counted<T> {
     type Number = T;
+    type Over<U: Scalar> = Counted<U>;
     const BLADES: &'static [(Blade, i8)] = &[(Blade::SCALAR, 1)];
     const FIXED: &'static [(Blade, i8, i64, i64)] = &[];
     const LABELS: &'static [&'static str] = &["1"];
