@@ -31,3 +31,5 @@ pub use ops::Element;
 pub use product::Product;
 pub use rational::Rational;
 pub use scalar::{Dual, Field, Real, Scalar};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Lanes, Precision};

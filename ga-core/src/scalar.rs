@@ -5,15 +5,26 @@ mod dual_number;
 mod elementary;
 mod exact;
 mod float;
-#[cfg(feature = "wide")]
+#[cfg(any(feature = "std", feature = "libm"))]
+mod functions;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod lanes;
+#[cfg(feature = "wide")]
+mod packs;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod precision;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod real;
+mod slopes;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 pub use dual_number::Dual;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use lanes::Lanes;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use precision::Precision;
 
 /// A commutative ring: what sums and products of multivectors need.
 ///
@@ -86,7 +97,7 @@ pub trait Field: Scalar + Div<Output = Self> + DivAssign {
 /// logarithms need.
 ///
 /// A predicate on lanes holds when it holds in every lane. Floats and lanes of them are real
-/// numbers with the feature `std` or `libm`.
+/// numbers with the feature `std` or `libm`; every type of [`Lanes`] is.
 pub trait Real: Field {
     /// The circle constant π.
     const PI: Self;
@@ -116,12 +127,24 @@ pub trait Real: Field {
     /// bivector whose square is a scalar (2.62). Smooth at zero, where both are 1.
     fn cosh_sinhc(self) -> (Self, Self);
 
+    /// C, S and the derivative S′; that of C is S/2.
+    fn cosh_sinhc_slope(self) -> (Self, Self, Self) {
+        let (cosh, sinhc) = self.cosh_sinhc();
+        (cosh, sinhc, slopes::sinhc_slope(self, cosh, sinhc))
+    }
+
     /// The factor `f` for which `log(c + X) = f X`, given the scalar part `c` = `self` and
     /// `square` = X², where c² − X² = 1 (2.69 with the sign of `c` respected).
     ///
-    /// `None` where no real logarithm exists: `c < 0` with `square ≥ 0`, or an input that is
-    /// not finite. For lanes all lanes must exist.
+    /// `None` where no real logarithm exists: `c ≤ 0` with `square ≥ 0`, an input that is
+    /// not finite, or one where c² − X² is not even roughly 1. For lanes all lanes must exist.
     fn log_factor(self, square: Self) -> Option<Self>;
+
+    /// The factor `f` and its derivative by `c` along c² − X² = 1.
+    fn log_factor_slope(self, square: Self) -> Option<(Self, Self)> {
+        let factor = self.log_factor(square)?;
+        Some((factor, slopes::log_factor_slope(self, square, factor)))
+    }
 
     /// Whether every lane is a finite number.
     fn is_finite(self) -> bool;

@@ -193,35 +193,17 @@ impl<T: Real> Real for Dual<T> {
         Dual::new(self.re.ln(), chain(T::ONE / self.re, self.eps))
     }
 
-    /// C′ = S/2 and S′ = (C − S)/(2a), the latter by its series near zero.
     fn cosh_sinhc(self) -> (Self, Self) {
-        let (c, s) = self.re.cosh_sinhc();
-        let quotient = (c - s) / (self.re + self.re);
-        let slope = self
-            .re
-            .abs()
-            .select_le(T::ONE, sinhc_slope(self.re), quotient);
+        let (c, s, slope) = self.re.cosh_sinhc_slope();
         (
             Dual::new(c, chain(s * T::from_ratio(1, 2), self.eps)),
             Dual::new(s, chain(slope, self.eps)),
         )
     }
 
-    /// The derivative along c² − s = 1, from the derivative of one of the two alone: that of `s`
-    /// near s = 0 and for hyperbolic elements, that of `c` past 45 degrees, each where it loses
-    /// no digits.
     fn log_factor(self, square: Self) -> Option<Self> {
-        let (c, s) = (self.re, square.re);
-        let factor = c.log_factor(s)?;
-        let two = T::from_integer(2);
-        let quotient = (T::ONE / c - factor) / (two * s);
-        let slope = s
-            .abs()
-            .select_le(T::from_ratio(1, 8), arsinhc_slope(s), quotient);
-        let by_square = chain(slope, square.eps);
-        let by_scalar = chain((T::ONE - factor * c) / s, self.eps);
-        let eps = s.select_le(-T::from_ratio(1, 2), by_scalar, by_square);
-        Some(Dual::new(factor, c.select_le(T::ZERO, by_scalar, eps)))
+        let (factor, slope) = self.re.log_factor_slope(square.re)?;
+        Some(Dual::new(factor, chain(slope, self.eps)))
     }
 
     fn is_finite(self) -> bool {
@@ -238,22 +220,4 @@ impl<T: Real> Real for Dual<T> {
             self.re.select_le(bound.re, then.eps, otherwise.eps),
         )
     }
-}
-
-/// The series Σ (m+1) aᵐ/(2m+3)! of S′, for |a| ≤ 1, by the ratios of successive terms.
-fn sinhc_slope<T: Real>(a: T) -> T {
-    let ratio = |m: i64| T::from_ratio(m + 1, m * (2 * m + 2) * (2 * m + 3));
-    let sum = (1..=10)
-        .rev()
-        .fold(T::ONE, |sum, m| T::ONE + sum * a * ratio(m));
-    sum * T::from_ratio(1, 6)
-}
-
-/// The derivative −1/6 + 3s/20 − … of arsinh √s / √s, for |s| ≤ 1/8.
-fn arsinhc_slope<T: Real>(s: T) -> T {
-    let ratio = |n: i64| T::from_ratio(-(2 * n + 1) * (2 * n + 1), 2 * n * (2 * n + 3));
-    let sum = (1..=18)
-        .rev()
-        .fold(T::ONE, |sum, n| T::ONE + sum * s * ratio(n));
-    sum * T::from_ratio(-1, 6)
 }

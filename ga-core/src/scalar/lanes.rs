@@ -1,132 +1,150 @@
-//! SIMD lanes: several numbers that undergo the same operations.
-//!
-//! Ring operations, quotients and absolute values act on all lanes at once; the other functions
-//! run lane by lane, so that a lane at the edge of a domain leaves the others alone.
+//! What the functions ask of numbers that are computed several at a time: one trait for lanes of
+//! every width and target, and for a number alone.
 
-use wide::{f32x4, f32x8, f64x2, f64x4};
+use core::ops::{BitAnd, BitOr, Not};
 
-#[cfg(any(feature = "std", feature = "libm"))]
-use super::Real;
-use super::{Field, Scalar};
-use crate::Narrowing;
-use crate::convert::largest;
+use super::Field;
+use super::precision::Precision;
 
-macro_rules! lanes {
-    ($lanes:ident, $float:ident, $count:literal) => {
-        impl Scalar for $lanes {
-            const ZERO: Self = $lanes::new([0.0; $count]);
-            const ONE: Self = $lanes::new([1.0; $count]);
+/// Numbers of one precision that undergo the same operations: SIMD lanes, or a number alone.
+///
+/// With these few operations a type is a [`Real`](super::Real) number: roots and transcendental
+/// functions follow from them without a branch that lanes could take differently. A lane is
+/// computed as a number alone would be, whatever its neighbours hold.
+///
+/// Implemented for `f32` and `f64`, and for the lanes of `wide` (feature `wide`).
+pub trait Lanes: Field {
+    /// The number that each lane holds.
+    type Float: Precision;
+    /// The outcome of a comparison, lane by lane.
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
 
-            fn from_integer(n: i64) -> Self {
-                $lanes::new([n as $float; $count])
-            }
+    /// The circle constant π.
+    const PI: Self;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+
+    /// The same number in every lane.
+    fn splat(value: Self::Float) -> Self;
+    /// A function of each lane by itself, for what has no instruction.
+    fn map(self, function: impl Fn(Self::Float) -> Self::Float) -> Self;
+    /// A function of the lanes of both, each by itself.
+    fn zip(self, other: Self, function: impl Fn(Self::Float, Self::Float) -> Self::Float) -> Self;
+
+    /// Where `self < other`; nowhere for what is not a number.
+    fn is_less(self, other: Self) -> Self::Mask;
+    /// Where `self ≤ other`; nowhere for what is not a number.
+    fn is_at_most(self, other: Self) -> Self::Mask;
+    /// Whether a comparison holds in every lane.
+    fn all(mask: Self::Mask) -> bool;
+    /// Whether a comparison holds in any lane.
+    fn any(mask: Self::Mask) -> bool;
+    /// `then` where the comparison holds, `otherwise` elsewhere.
+    fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
+
+    /// The absolute value.
+    fn magnitude(self) -> Self;
+    /// The absolute value with the sign of another number, that of zeros included.
+    fn with_sign_of(self, sign: Self) -> Self;
+    /// The square root, rounded correctly; of a negative value not a number.
+    fn square_root(self) -> Self;
+    /// 2ⁿ of an integer n whose power is a normal number; of others without a meaning.
+    fn power_of_two(self) -> Self;
+    /// Mantissa m and exponent n of a positive normal number m 2ⁿ, 1 ≤ m < 2; of others without a
+    /// meaning.
+    fn mantissa_and_exponent(self) -> (Self, Self);
+}
+
+/// A number alone is one lane.
+macro_rules! single_lane {
+    ($float:ident $exponent_bias:literal) => {
+        impl Lanes for $float {
+            type Float = $float;
+            type Mask = bool;
+
+            const PI: Self = core::$float::consts::PI;
+            const EPSILON: Self = core::primitive::$float::EPSILON;
 
             #[inline(always)]
-            fn plus_product(self, a: Self, b: Self) -> Self {
-                a.mul_add(b, self)
-            }
-
-            #[inline(always)]
-            fn minus_product(self, a: Self, b: Self) -> Self {
-                a.mul_neg_add(b, self)
-            }
-        }
-
-        impl Field for $lanes {
-            fn is_invertible(self) -> bool {
-                self.to_array().into_iter().all(Field::is_invertible)
-            }
-
-            fn negligible_beside(coefficients: impl Iterator<Item = Self>) -> Self {
-                let tolerance = Narrowing::TOLERANCE as $float;
-                largest(coefficients, $lanes::abs) * $lanes::new([tolerance; $count])
-            }
-
-            fn is_within(self, bound: Self) -> bool {
-                let mut pairs = self.to_array().into_iter().zip(bound.to_array());
-                pairs.all(|(value, bound)| value.is_within(bound))
-            }
-        }
-
-        #[cfg(any(feature = "std", feature = "libm"))]
-        impl Real for $lanes {
-            const PI: Self = $lanes::new([core::$float::consts::PI; $count]);
-            const EPSILON: Self = $lanes::new([core::primitive::$float::EPSILON; $count]);
-
-            fn from_f64(value: f64) -> Self {
-                $lanes::new([value as $float; $count])
-            }
-
-            fn at_value(self, value: Self) -> Self {
+            fn splat(value: $float) -> Self {
                 value
             }
 
-            fn abs(self) -> Self {
-                $lanes::abs(self)
+            #[inline(always)]
+            fn map(self, function: impl Fn($float) -> $float) -> Self {
+                function(self)
             }
 
-            fn sqrt(self) -> Self {
-                $lanes::new(self.to_array().map(Real::sqrt))
+            #[inline(always)]
+            fn zip(self, other: Self, function: impl Fn($float, $float) -> $float) -> Self {
+                function(self, other)
             }
 
-            fn sin_cos(self) -> (Self, Self) {
-                let pairs = self.to_array().map(Real::sin_cos);
+            #[inline(always)]
+            fn is_less(self, other: Self) -> bool {
+                self < other
+            }
+
+            #[inline(always)]
+            fn is_at_most(self, other: Self) -> bool {
+                self <= other
+            }
+
+            #[inline(always)]
+            fn all(mask: bool) -> bool {
+                mask
+            }
+
+            #[inline(always)]
+            fn any(mask: bool) -> bool {
+                mask
+            }
+
+            #[inline(always)]
+            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+                if mask { then } else { otherwise }
+            }
+
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
+
+            #[inline(always)]
+            fn with_sign_of(self, sign: Self) -> Self {
+                self.copysign(sign)
+            }
+
+            #[inline(always)]
+            fn square_root(self) -> Self {
+                super::elementary::Elementary::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn power_of_two(self) -> Self {
+                // In this sum the exponent stands in the last bits.
+                let biased = self + (Self::ROUNDING + $exponent_bias);
+                Self::from_bits(biased.to_bits() << (Self::MANTISSA_DIGITS - 1))
+            }
+
+            #[inline(always)]
+            fn mantissa_and_exponent(self) -> (Self, Self) {
+                let bits = self.to_bits();
+                let exponent = bits >> (Self::MANTISSA_DIGITS - 1);
+                let one = Self::to_bits(1.0);
+                let mantissa = bits & ((1 << (Self::MANTISSA_DIGITS - 1)) - 1);
+                let shifted = Self::from_bits(Self::to_bits(Self::ROUNDING) | exponent);
                 (
-                    $lanes::new(pairs.map(|(sin, _)| sin)),
-                    $lanes::new(pairs.map(|(_, cos)| cos)),
+                    Self::from_bits(mantissa | one),
+                    shifted - (Self::ROUNDING + $exponent_bias),
                 )
-            }
-
-            fn atan2(self, x: Self) -> Self {
-                let (y, x) = (self.to_array(), x.to_array());
-                $lanes::new(core::array::from_fn(|lane| Real::atan2(y[lane], x[lane])))
-            }
-
-            fn exp(self) -> Self {
-                $lanes::new(self.to_array().map(Real::exp))
-            }
-
-            fn ln(self) -> Self {
-                $lanes::new(self.to_array().map(Real::ln))
-            }
-
-            fn cosh_sinhc(self) -> (Self, Self) {
-                let pairs = self.to_array().map(Real::cosh_sinhc);
-                (
-                    $lanes::new(pairs.map(|(cosh, _)| cosh)),
-                    $lanes::new(pairs.map(|(_, sinhc)| sinhc)),
-                )
-            }
-
-            fn log_factor(self, square: Self) -> Option<Self> {
-                let mut factors = self.to_array();
-                for (factor, square) in factors.iter_mut().zip(square.to_array()) {
-                    *factor = factor.log_factor(square)?;
-                }
-                Some($lanes::new(factors))
-            }
-
-            fn is_finite(self) -> bool {
-                self.to_array().into_iter().all(Real::is_finite)
-            }
-
-            fn all_le(self, other: Self) -> bool {
-                let mut pairs = self.to_array().into_iter().zip(other.to_array());
-                pairs.all(|(value, bound)| value <= bound)
-            }
-
-            fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self {
-                let (value, bound) = (self.to_array(), bound.to_array());
-                let (then, otherwise) = (then.to_array(), otherwise.to_array());
-                $lanes::new(core::array::from_fn(|lane| {
-                    value[lane].select_le(bound[lane], then[lane], otherwise[lane])
-                }))
             }
         }
     };
 }
 
-lanes!(f32x4, f32, 4);
-lanes!(f32x8, f32, 8);
-lanes!(f64x2, f64, 2);
-lanes!(f64x4, f64, 4);
+single_lane!(f32 127.0);
+single_lane!(f64 1023.0);

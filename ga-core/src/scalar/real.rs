@@ -1,117 +1,90 @@
-//! Roots and transcendental functions of floating-point numbers.
+//! Lanes are real numbers: which function computes what.
 
-use super::elementary::Elementary;
-use super::{Real, Scalar};
+use super::Real;
+use super::functions::circular::sin_cos;
+use super::functions::exponential::exp;
+use super::functions::inverse_tangent::atan2;
+use super::functions::logarithm::ln;
+use super::functions::rotors;
+use super::lanes::Lanes;
+use super::precision::Precision;
 
-/// Coefficients 1/(2n)! of cosh √a.
-const COSH: [f64; 10] = reciprocal_factorials(0);
-/// Coefficients 1/(2n+1)! of sinh √a / √a.
-const SINHC: [f64; 10] = reciprocal_factorials(1);
+impl<L: Lanes> Real for L {
+    const PI: Self = <L as Lanes>::PI;
+    const EPSILON: Self = <L as Lanes>::EPSILON;
 
-/// Reciprocals of the factorials of `first`, `first` + 2, …; with ten of them the series for
-/// |a| ≤ 1 ends below 1/20! ≈ 4e−19.
-const fn reciprocal_factorials(first: u64) -> [f64; 10] {
-    let mut coefficients = [1.0; 10];
-    let mut index = 1;
-    let mut factorial = 1_u64;
-    while index < coefficients.len() {
-        let n = 2 * index as u64 + first;
-        factorial *= (n - 1) * n;
-        coefficients[index] = 1.0 / factorial as f64;
-        index += 1;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        L::splat(L::Float::rounded(value))
     }
-    coefficients
+
+    #[inline(always)]
+    fn at_value(self, value: Self) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.magnitude()
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.square_root()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos(self)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        atan2(self, x)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        exp(self)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        ln(self)
+    }
+
+    #[inline]
+    fn cosh_sinhc(self) -> (Self, Self) {
+        rotors::cosh_sinhc(self)
+    }
+
+    #[inline]
+    fn cosh_sinhc_slope(self) -> (Self, Self, Self) {
+        rotors::cosh_sinhc_slope(self)
+    }
+
+    #[inline]
+    fn log_factor(self, square: Self) -> Option<Self> {
+        rotors::log_factor(self, square)
+    }
+
+    #[inline]
+    fn log_factor_slope(self, square: Self) -> Option<(Self, Self)> {
+        rotors::log_factor_slope(self, square)
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        L::all(self.magnitude().is_at_most(L::splat(L::Float::LARGEST)))
+    }
+
+    #[inline(always)]
+    fn all_le(self, other: Self) -> bool {
+        L::all(self.is_at_most(other))
+    }
+
+    #[inline(always)]
+    fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self {
+        L::select(self.is_at_most(bound), then, otherwise)
+    }
 }
-
-macro_rules! real {
-    ($float:ident) => {
-        impl Real for $float {
-            const PI: Self = core::$float::consts::PI;
-            const EPSILON: Self = core::primitive::$float::EPSILON;
-
-            fn from_f64(value: f64) -> Self {
-                value as $float
-            }
-
-            fn at_value(self, value: Self) -> Self {
-                value
-            }
-
-            fn abs(self) -> Self {
-                core::primitive::$float::abs(self)
-            }
-
-            fn sqrt(self) -> Self {
-                Elementary::sqrt(self)
-            }
-
-            fn sin_cos(self) -> (Self, Self) {
-                Elementary::sin_cos(self)
-            }
-
-            fn atan2(self, x: Self) -> Self {
-                Elementary::atan2(self, x)
-            }
-
-            fn exp(self) -> Self {
-                Elementary::exp(self)
-            }
-
-            fn ln(self) -> Self {
-                Elementary::ln(self)
-            }
-
-            fn cosh_sinhc(self) -> (Self, Self) {
-                if Real::abs(self) <= Self::ONE {
-                    let series = |coefficients: [f64; 10]| {
-                        let powers = coefficients.iter().rev();
-                        powers.fold(0.0, |sum, &coefficient| sum * self + coefficient as $float)
-                    };
-                    return (series(COSH), series(SINHC));
-                }
-                let root = Elementary::sqrt(Real::abs(self));
-                if self < 0.0 {
-                    let (sin, cos) = Elementary::sin_cos(root);
-                    return (cos, sin / root);
-                }
-                let (cosh, sinh) = (Elementary::cosh(root), Elementary::sinh(root));
-                (cosh, if root.is_finite() { sinh / root } else { sinh })
-            }
-
-            fn log_factor(self, square: Self) -> Option<Self> {
-                if !self.is_finite() || !square.is_finite() {
-                    return None;
-                }
-                let root = Elementary::sqrt(Real::abs(square));
-                let factor = if square < 0.0 {
-                    Elementary::atan2(root, self) / root
-                } else if self <= 0.0 {
-                    return None;
-                } else if root > self / 2.0 {
-                    // The difference of c and √s would be lost in their quotient.
-                    Elementary::asinh(root) / root
-                } else if root / self > 0.0 {
-                    Elementary::atanh(root / self) / root
-                } else {
-                    self.recip()
-                };
-                factor.is_finite().then_some(factor)
-            }
-
-            fn is_finite(self) -> bool {
-                core::primitive::$float::is_finite(self)
-            }
-
-            fn all_le(self, other: Self) -> bool {
-                self <= other
-            }
-
-            fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self {
-                if self <= bound { then } else { otherwise }
-            }
-        }
-    };
-}
-
-real!(f32);
-real!(f64);

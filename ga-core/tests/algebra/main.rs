@@ -5,6 +5,7 @@
 
 mod catalogue;
 mod dense_failures;
+mod elementary;
 mod exponential;
 mod golden;
 mod laws;

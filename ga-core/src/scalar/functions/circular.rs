@@ -1,0 +1,48 @@
+//! Sine and cosine: by quarters of a turn from those of |r| ≤ π/4.
+
+use super::polynomial::polynomial;
+use super::{constant, nearest_integer, parity};
+use crate::scalar::elementary::Elementary;
+use crate::scalar::lanes::Lanes;
+use crate::scalar::precision::Precision;
+
+/// Sine and cosine of an angle in radians.
+///
+/// Angles of more than [`MOST_TURNS`](Precision::MOST_TURNS) quarters of a turn are left to the
+/// library, lane by lane.
+#[inline]
+pub fn sin_cos<L: Lanes>(x: L) -> (L, L) {
+    let turns = nearest_integer(x * constant(core::f64::consts::FRAC_2_PI));
+    let near = turns.magnitude().is_at_most(L::splat(L::Float::MOST_TURNS));
+    let turns = L::select(near, turns, L::ZERO);
+    let parts = L::Float::HALF_PI.iter();
+    let r = parts.fold(x, |r, &part| r.minus_product(turns, L::splat(part)));
+    let square = r * r;
+    let sine = r.plus_product(r * square, polynomial(square, L::Float::SINE));
+    // Of −0 the sum is +0.
+    let sine = sine.with_sign_of(r);
+    let half = constant::<L>(0.5) * square;
+    // What is lost of 1 − r²/2 is added again.
+    let cosine = L::ONE - half;
+    let lost = (L::ONE - cosine) - half;
+    let rest = lost.plus_product(square * square, polynomial(square, L::Float::COSINE));
+    let cosine = cosine + rest;
+    let odd = L::ZERO.is_less(parity(turns));
+    let half_turns = nearest_integer((turns - parity(turns)) * constant(0.5));
+    let (sine, cosine) = (L::select(odd, cosine, sine), L::select(odd, sine, cosine));
+    // A quarter further, (sin, cos) is (cos, −sin); half a turn further, the opposite.
+    let opposite = L::ZERO.is_less(parity(half_turns));
+    let (sine, cosine) = (
+        L::select(opposite, -sine, sine),
+        L::select(opposite, -cosine, cosine),
+    );
+    let cosine = L::select(odd, -cosine, cosine);
+    if L::all(near) {
+        return (sine, cosine);
+    }
+    let by_library = (x.map(|x| x.sin_cos().0), x.map(|x| x.sin_cos().1));
+    (
+        L::select(near, sine, by_library.0),
+        L::select(near, cosine, by_library.1),
+    )
+}

@@ -1,0 +1,233 @@
+//! Elementary functions against those of the standard library: dense sweeps, random bits and the
+//! edges; each lane against the number alone.
+
+use ga_core::{Lanes, Precision, Real};
+use rand::{RngExt, SeedableRng};
+
+/// The distance of two numbers in units in the last place of the larger one; zero for the same
+/// infinity, for what is not a number, and for zeros of one sign.
+fn units(found: f64, expected: f64, epsilon: f64, smallest: f64) -> f64 {
+    if found.is_nan() || expected.is_nan() || found.is_infinite() || expected.is_infinite() {
+        let same = found == expected || found.is_nan() && expected.is_nan();
+        return if same { 0.0 } else { f64::INFINITY };
+    }
+    if found == 0.0 && expected == 0.0 && found.is_sign_negative() != expected.is_sign_negative() {
+        return f64::INFINITY;
+    }
+    let size = expected.abs().max(smallest);
+    let ulp = epsilon * 2.0_f64.powi(size.log2().floor() as i32);
+    (found - expected).abs() / ulp
+}
+
+const EDGES: [f64; 26] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    2.0,
+    core::f64::consts::PI,
+    core::f64::consts::FRAC_PI_2,
+    core::f64::consts::FRAC_PI_4,
+    -core::f64::consts::LN_2,
+    1e-300,
+    1e300,
+    -1e300,
+    5e-324,
+    -5e-324,
+    f64::MIN_POSITIVE,
+    f64::MAX,
+    f64::MIN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+    709.782712893384,
+    -745.1332191019411,
+    88.72283,
+    1e-45,
+    1e22,
+];
+
+/// Numbers of every size, and dense ones of the usual sizes.
+fn samples() -> Vec<f64> {
+    let mut random = rand::rngs::StdRng::seed_from_u64(31);
+    let bits = (0..20_000).map(|_| f64::from_bits(random.random()));
+    let sweep = (-40_000..=40_000).map(|i| f64::from(i) / 1024.0);
+    let turns = (-2000..2000).flat_map(|i| {
+        let x = f64::from(i) * core::f64::consts::FRAC_PI_4;
+        [x, x.next_up(), x.next_down(), f64::from(x as f32)]
+    });
+    let small = (0..2000).map(|i| 2.0_f64.powf(-f64::from(i) / 2.0));
+    let ones = (-3000..3000).map(|i| 1.0 + f64::from(i) * f64::from(i).abs() * 3e-9);
+    let far = (-3000..3000).map(|i| f64::from(i) * 0.37);
+    let mut all: Vec<f64> = EDGES.into();
+    all.extend(
+        sweep
+            .chain(bits)
+            .chain(turns)
+            .chain(small)
+            .chain(ones)
+            .chain(far),
+    );
+    all
+}
+
+type Function = (&'static str, fn(f64) -> f64, fn(f32) -> f32, fn(f64) -> f64);
+
+const FUNCTIONS: [Function; 5] = [
+    ("exp", Real::exp, Real::exp, f64::exp),
+    ("ln", Real::ln, Real::ln, f64::ln),
+    (
+        "sin",
+        |x| Real::sin_cos(x).0,
+        |x| Real::sin_cos(x).0,
+        f64::sin,
+    ),
+    (
+        "cos",
+        |x| Real::sin_cos(x).1,
+        |x| Real::sin_cos(x).1,
+        f64::cos,
+    ),
+    ("sqrt", Real::sqrt, Real::sqrt, f64::sqrt),
+];
+
+fn judge(name: &str, worst: (f64, f64), allowed: f64) {
+    println!("{name}: {:.2} units at {:e}", worst.0, worst.1);
+    assert!(worst.0 <= allowed, "{name}: {} at {:e}", worst.0, worst.1);
+}
+
+#[test]
+fn functions_of_one_number() {
+    for (name, double, single, expected) in FUNCTIONS {
+        let mut worst = [(0.0, 0.0); 2];
+        for x in samples() {
+            let error = units(double(x), expected(x), f64::EPSILON, f64::MIN_POSITIVE);
+            if error > worst[0].0 {
+                worst[0] = (error, x);
+            }
+            let x = x as f32;
+            let rounded = expected(x.into()) as f32;
+            let exact = match rounded.is_finite() {
+                true => expected(x.into()),
+                false => rounded.into(),
+            };
+            let (epsilon, smallest) = (f32::EPSILON.into(), f32::MIN_POSITIVE.into());
+            let error = units(single(x).into(), exact, epsilon, smallest);
+            if error > worst[1].0 {
+                worst[1] = (error, x.into());
+            }
+        }
+        judge(name, worst[0], 1.6);
+        judge(name, worst[1], 1.6);
+    }
+}
+
+#[test]
+fn angles_of_points() {
+    let mut random = rand::rngs::StdRng::seed_from_u64(7);
+    let edges = EDGES
+        .into_iter()
+        .flat_map(|y| EDGES.into_iter().map(move |x| (y, x)));
+    let around = (0..50_000).map(|i| {
+        let (sin, cos) = (f64::from(i) * 1.3e-4).sin_cos();
+        (sin, cos)
+    });
+    let bits: Vec<(f64, f64)> = (0..20_000)
+        .map(|_| {
+            (
+                f64::from_bits(random.random()),
+                f64::from_bits(random.random()),
+            )
+        })
+        .collect();
+    let mut worst = [(0.0, 0.0); 2];
+    for (y, x) in edges.chain(around).chain(bits) {
+        let expected = y.atan2(x);
+        let error = units(Real::atan2(y, x), expected, f64::EPSILON, f64::MIN_POSITIVE);
+        if error > worst[0].0 {
+            worst[0] = (error, expected);
+        }
+        let (y, x) = (y as f32, x as f32);
+        let expected = f64::from(y).atan2(x.into());
+        let found = f64::from(Real::atan2(y, x));
+        let error = units(
+            found,
+            expected,
+            f32::EPSILON.into(),
+            f32::MIN_POSITIVE.into(),
+        );
+        if error > worst[1].0 {
+            worst[1] = (error, expected);
+        }
+    }
+    judge("atan2", worst[0], 2.2);
+    judge("atan2 of f32", worst[1], 2.2);
+}
+
+/// Bit for bit, for one function on lanes and alone.
+fn assert_lanes<L: Lanes<Float: Real>>(
+    values: &[L::Float],
+    packed: impl Fn(&[L::Float]) -> L,
+    lanes: fn(L) -> L,
+    alone: fn(L::Float) -> L::Float,
+    count: usize,
+) {
+    for chunk in values.chunks_exact(count) {
+        let found = lanes(packed(chunk));
+        let expected = packed(&chunk.iter().map(|&x| alone(x)).collect::<Vec<_>>());
+        let same = found.zip(expected, |found, expected| {
+            let is_nan = |x: L::Float| !x.is_at_most(x);
+            let same = found == expected || is_nan(found) && is_nan(expected);
+            L::Float::rounded(if same { 0.0 } else { 1.0 })
+        });
+        assert!(L::all(same.is_at_most(L::ZERO)), "{found:?} {expected:?}");
+    }
+}
+
+#[cfg(feature = "wide")]
+#[test]
+fn lanes_are_like_numbers_alone() {
+    use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+
+    // Neighbours of every kind.
+    let mut values = samples();
+    let mut random = rand::rngs::StdRng::seed_from_u64(5);
+    for i in 0..values.len() {
+        let other = random.random_range(0..values.len());
+        values.swap(i, other);
+    }
+    let singles: Vec<f32> = values.iter().map(|&x| x as f32).collect();
+    macro_rules! check {
+        ($($lanes:ident $float:ident $count:literal $values:ident;)*) => {$(
+            let packed = |values: &[$float]| {
+                let mut lanes = [0.0; $count];
+                lanes.copy_from_slice(values);
+                $lanes::new(lanes)
+            };
+            let functions: [(fn($lanes) -> $lanes, fn($float) -> $float); 10] = [
+                (Real::exp, Real::exp),
+                (Real::ln, Real::ln),
+                (Real::sqrt, Real::sqrt),
+                (Real::abs, Real::abs),
+                (|x| Real::sin_cos(x).0, |x| Real::sin_cos(x).0),
+                (|x| Real::sin_cos(x).1, |x| Real::sin_cos(x).1),
+                (|x| x.cosh_sinhc().0, |x| x.cosh_sinhc().0),
+                (|x| x.cosh_sinhc().1, |x| x.cosh_sinhc().1),
+                (|x| x.cosh_sinhc_slope().2, |x| x.cosh_sinhc_slope().2),
+                (|x| Real::atan2(x, x * x - $lanes::ONE), |x| Real::atan2(x, x * x - 1.0)),
+            ];
+            for (lanes, alone) in functions {
+                assert_lanes::<$lanes>(&$values, packed, lanes, alone, $count);
+            }
+        )*};
+    }
+    check! {
+        f32x4 f32 4 singles;
+        f32x8 f32 8 singles;
+        f32x16 f32 16 singles;
+        f64x2 f64 2 values;
+        f64x4 f64 4 values;
+        f64x8 f64 8 values;
+    }
+}
