@@ -20,7 +20,7 @@ pub use inverse_scaling::{
     MOST_ROOTS, logarithm_products, principal_logarithm, principal_square_root,
     square_root_products,
 };
-pub use logarithm::{logarithm, motor_logarithm};
+pub use logarithm::{logarithm, logarithm_of_unit, motor_logarithm, motor_logarithm_of_unit};
 pub(crate) use normalise::rounding_of;
 pub use normalise::{Commutators, over_norm, renormalise};
 pub use parts::{Bivectors, Fourvectors, Parts, Versors};

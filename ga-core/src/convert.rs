@@ -1,12 +1,15 @@
 //! Conversions and small steps shared by all generated types; generated code calls them.
 
 mod narrowing;
+mod places;
 
 use alloc::format;
 use core::fmt;
 
 pub(crate) use narrowing::largest;
 pub use narrowing::{Narrowing, narrow, try_narrow};
+use places::Place;
+pub(crate) use places::Places;
 
 use crate::algorithm::rounding_of;
 use crate::ops::{Element, Inverse, LeftContract, RightContract, Wedge};
@@ -62,7 +65,12 @@ where
     Narrow: Element<Number = Wide::Number>,
     Wide::Number: Field,
 {
-    Narrow::from_fn(|i| signed(Narrow::BLADES[i].1, coefficient(&wide, Narrow::BLADES[i].0)))
+    Narrow::from_fn(|i| {
+        signed(
+            Narrow::BLADES[i].1,
+            Places::<Wide, Narrow>::at(i).read(&wide),
+        )
+    })
 }
 
 /// The coefficient of a blade in increasing order, stored or fixed.
@@ -71,12 +79,7 @@ pub(crate) fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number
 where
     X::Number: Field,
 {
-    match X::FIXED.iter().find(|(fixed, ..)| *fixed == blade) {
-        Some((_, sign, numerator, denominator)) => {
-            signed(*sign, X::Number::from_ratio(*numerator, *denominator))
-        }
-        None => x.coefficient(blade),
-    }
+    Place::of::<X>(blade).read(x)
 }
 
 /// The image of a versor application from the unrestricted `V x Ṽ`: only grades that the
@@ -106,7 +109,7 @@ where
 }
 
 #[inline]
-fn signed<T: Scalar>(sign: i8, value: T) -> T {
+pub(crate) fn signed<T: Scalar>(sign: i8, value: T) -> T {
     if sign < 0 { -value } else { value }
 }
 
@@ -188,12 +191,41 @@ fn term(
 /// difference of large numbers and says less than that.
 #[inline]
 pub fn polar<T: Real>(scalar: T, square: T) -> Option<(T, T)> {
-    let norm_squared = scalar * scalar - square;
-    let rounding = rounding_of(scalar * scalar + square.abs());
+    let norm_squared = norm_squared(scalar, square)?;
+    if norm_squared == T::ONE {
+        return Some((T::ONE, square));
+    }
+    let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
+    positive.then(|| (norm_squared.sqrt(), square))
+}
+
+/// R R̃ of `R = c + X`, 1 where it is that up to rounding; `None` where it is not finite.
+#[inline(always)]
+fn norm_squared<T: Real>(scalar: T, square: T) -> Option<T> {
+    let scalar_squared = scalar * scalar;
+    let norm_squared = scalar_squared - square;
+    let rounding = rounding_of(scalar_squared + square.abs());
     let distance = (norm_squared - T::ONE).abs();
     let norm_squared = distance.select_le(rounding, norm_squared.at_value(T::ONE), norm_squared);
-    let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
-    (positive && rounding.is_finite()).then(|| (norm_squared.sqrt(), square))
+    rounding.is_finite().then_some(norm_squared)
+}
+
+/// The factor `f` for which `log R = f X` is the principal logarithm of the versor `R = c + X`
+/// over its norm, from `c` and the scalar X²; `None` where there is none. That of a unit versor
+/// takes no norm.
+#[inline]
+pub fn logarithm_factor<T: Real>(scalar: T, square: T) -> Option<T> {
+    if norm_squared(scalar, square)? == T::ONE {
+        return scalar.log_factor(square);
+    }
+    factor_over_norm(scalar, square)
+}
+
+#[inline(never)]
+fn factor_over_norm<T: Real>(scalar: T, square: T) -> Option<T> {
+    let (norm, square) = polar(scalar, square)?;
+    let factor = (scalar / norm).log_factor(square / (norm * norm))?;
+    Some(factor / norm)
 }
 
 /// The scalar part of √R and the factor of X in it, for `R = c + X`: `(R + |R|) f` with

@@ -36,6 +36,7 @@ pub trait Element: Copy + PartialEq {
 
     /// The stored coefficient of a blade in the increasing order of its vectors; zero for a
     /// blade that the type does not store.
+    #[inline]
     fn coefficient(&self, blade: Blade) -> Self::Number {
         match Self::BLADES.iter().position(|(stored, _)| *stored == blade) {
             Some(position) if Self::BLADES[position].1 < 0 => -self.at(position),
@@ -194,6 +195,14 @@ pub trait Logarithm {
     /// The principal logarithm of the versor over its norm; `None` where there is no real one
     /// or it is not unique, and for what is no versor.
     fn log(self) -> Option<Self::Output>;
+    /// The principal logarithm of a versor that is promised to be a unit one, which spares asking
+    /// for its norm. Of another one it is not the logarithm; but no panic.
+    fn log_of_unit(self) -> Option<Self::Output>
+    where
+        Self: Sized,
+    {
+        self.log()
+    }
 }
 
 /// Square roots of versors.

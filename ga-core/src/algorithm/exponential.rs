@@ -1,9 +1,9 @@
 //! Exponentials of bivectors whose outer square W has a number as its square, as all have in up
 //! to five dimensions.
 
-use super::parts::{Bivectors, Fourvectors, Parts, Versors, outer_square, turned};
+use super::parts::{Bivectors, Fourvectors, Parts, Versors, combined, outer_square, turned};
 use super::study::Study;
-use crate::{Dual, Real};
+use crate::Real;
 
 /// The exponential `C(a + W) + S(a + W) B` of a bivector with `B² = a + W` (2.62 for Study
 /// numbers).
@@ -43,8 +43,8 @@ where
     )
 }
 
-/// The exponential of a bivector with `W² = 0`, as generators of motors are: the same on dual
-/// numbers, where both functions have closed forms.
+/// The exponential of a bivector with `W² = 0`, as generators of motors are: C(a + W) is
+/// C(a) + C′(a) W, and C′ = S/2.
 #[inline]
 pub fn motor_exponential<T, A, Q, R>(bivector: A) -> R
 where
@@ -54,9 +54,9 @@ where
     R: Versors<A, Q, Number = T>,
 {
     let outer: Q = outer_square(bivector);
-    let square = Dual::variable(bivector.scalar_product(bivector));
-    let (cosh, sinhc) = square.cosh_sinhc();
-    assembled(bivector, outer, [cosh.re, cosh.eps], [sinhc.re, sinhc.eps]).sum()
+    let (cosh, sinhc, slope) = bivector.scalar_product(bivector).cosh_sinhc_slope();
+    let cosh_slope = sinhc * T::from_ratio(1, 2);
+    assembled(bivector, outer, [cosh, cosh_slope], [sinhc, slope]).sum()
 }
 
 /// `c + c′ W + (s + s′ W) B`.
@@ -70,7 +70,7 @@ where
     let turned = turned(outer, bivector);
     Parts {
         scalar: cosh[0],
-        bivector: bivector.geometric(sinhc[0]) + turned.geometric(sinhc[1]),
+        bivector: combined(bivector, sinhc[0], turned, sinhc[1]),
         fourth: outer.geometric(cosh[1]),
     }
 }

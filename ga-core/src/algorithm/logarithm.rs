@@ -2,11 +2,11 @@
 
 use super::exponential::exponential_parts;
 use super::normalise::Commutators;
-use super::parts::{Bivectors, Fourvectors, Parts, finite, outer_square, turned};
-use super::separation::{Separation, Values};
+use super::parts::{Bivectors, Fourvectors, Parts, combined, finite, outer_square, turned};
+use super::separation::{Separation, Values, nearness};
 use super::study::Study;
+use crate::Real;
 use crate::ops::Element;
-use crate::{Dual, Real};
 
 /// The principal logarithm of a versor over its norm: the bivector B = f(c) A with
 /// `R = c + A`, c = ⟨R⟩ + ⟨R⟩₄ a Study number and f(cosh z) = z / sinh z.
@@ -25,7 +25,31 @@ where
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
+    let parts = Parts::<T, A, Q>::of(versor);
+    match parts.is_unit(&commutators) {
+        true => of_unit_parts(parts),
+        false => of_unit_parts(parts.over_norm(&commutators)?.0),
+    }
+}
+
+/// The logarithm of a versor that is promised to be a unit one.
+#[inline]
+pub fn logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
+where
+    T: Real,
+    X: Element<Number = T>,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    of_unit_parts(Parts::<T, A, Q>::of(versor))
+}
+
+fn of_unit_parts<T, A, Q>(unit: Parts<T, A, Q>) -> Option<A>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
     let separation = Separation::of(unit);
     let half = T::from_ratio(1, 2);
     let logarithm = separation.evaluate(
@@ -50,7 +74,7 @@ where
 }
 
 /// The logarithm of a versor whose four-vector part squares to zero, as that of a motor does:
-/// the same on dual numbers, where the factor has a closed form.
+/// there f(c + V) = f(c) + f′(c) V.
 #[inline]
 pub fn motor_logarithm<T, X, A, Q>(
     versor: X,
@@ -62,7 +86,65 @@ where
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let (unit, _) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
+    let parts = Parts::<T, A, Q>::of(versor);
+    match parts.is_unit(&commutators) {
+        true => motor_of_unit_parts(parts),
+        // Apart, so that a unit versor stays in registers.
+        false => motor_over_norm(parts, &commutators),
+    }
+}
+
+/// The logarithm of a versor that is promised to be a unit one, and whose four-vector part
+/// squares to zero.
+#[inline]
+pub fn motor_logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
+where
+    T: Real,
+    X: Element<Number = T>,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    motor_of_unit_parts(Parts::<T, A, Q>::of(versor))
+}
+
+#[inline(never)]
+fn motor_over_norm<T, A, Q>(
+    parts: Parts<T, A, Q>,
+    commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+) -> Option<A>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    motor_of_unit_parts(parts.over_norm(commutators)?.0)
+}
+
+/// f(c + V) A = f A + f′ V A.
+#[inline(always)]
+fn motor_of_unit_parts<T, A, Q>(unit: Parts<T, A, Q>) -> Option<A>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    let square = unit.bivector.scalar_product(unit.bivector);
+    if !T::ZERO.all_le(nearness(unit.scalar, square)) {
+        return motor_near_the_edge(unit);
+    }
+    let (factor, slope) = unit.scalar.log_factor_slope(square)?;
+    let turned = turned(unit.fourth, unit.bivector);
+    finite(combined(unit.bivector, factor, turned, slope))
+}
+
+/// The same where lanes may be near −1.
+#[inline(never)]
+fn motor_near_the_edge<T, A, Q>(unit: Parts<T, A, Q>) -> Option<A>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
     let Separation {
         cosine,
         bivector,
@@ -71,16 +153,18 @@ where
         near,
         ..
     } = Separation::of(unit);
-    let square = bivector.scalar_product(bivector);
-    let sine = Dual::new(square, cosine.scalar + cosine.scalar);
-    let factor = Dual::new(cosine.scalar, T::ONE).log_factor(sine)?;
-    let logarithm = bivector.geometric(factor.re) + image.geometric(factor.eps);
-    if T::ZERO.all_le(near) {
-        return finite(logarithm);
-    }
-    // Near −1 the two terms are large and nearly cancel in the part that B∧B = 2f V knows.
+    let (factor, slope) = cosine
+        .scalar
+        .log_factor_slope(bivector.scalar_product(bivector))?;
+    let logarithm = combined(bivector, factor, image, slope);
+    // The two terms are large and nearly cancel in the part that B∧B = 2f V knows.
     let square = logarithm.scalar_product(logarithm);
-    let missing = fourth.geometric(factor.re + factor.re) - outer_square(logarithm);
+    let missing = fourth.geometric(factor + factor) - outer_square(logarithm);
     let share = near.select_le(T::ZERO, T::from_ratio(1, 2) / square, T::ZERO);
-    finite(logarithm + turned(missing, logarithm).geometric(share))
+    finite(combined(
+        logarithm,
+        T::ONE,
+        turned(missing, logarithm),
+        share,
+    ))
 }

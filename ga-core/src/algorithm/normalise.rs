@@ -64,6 +64,14 @@ struct NormSquared<T, Q> {
     fourth: Q,
 }
 
+impl<T: Real, Q: Element<Number = T>> NormSquared<T, Q> {
+    /// How far it is from 1.
+    #[inline(always)]
+    fn deviation(&self) -> T {
+        (self.scalar - T::ONE).abs() + sum_of(&self.fourth, T::abs)
+    }
+}
+
 impl<T, A, Q> Parts<T, A, Q>
 where
     T: Real,
@@ -71,6 +79,7 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     /// X X̃ = x₀² − X₂² + X₄² + 2x₀X₄ + (X₂X₄ − X₄X₂).
+    #[inline]
     fn norm_squared<G>(
         &self,
         commutators: &Commutators<impl Fn(A, Q) -> Q, G>,
@@ -119,26 +128,51 @@ where
         self,
         commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
     ) -> Option<(Self, T)> {
+        match self.is_unit(commutators) {
+            true => Some((self, T::ONE)),
+            false => self.over_norm(commutators),
+        }
+    }
+
+    /// Whether X X̃ is 1 up to rounding, with derivatives that are zero.
+    #[inline(always)]
+    pub(super) fn is_unit<G>(&self, commutators: &Commutators<impl Fn(A, Q) -> Q, G>) -> bool {
         let norm = self.norm_squared(commutators);
+        let constant = |value: T, expected: T| value.at_value(expected) == expected;
+        let rounding = rounding_of(self.size());
+        norm.deviation().all_le(rounding)
+            && rounding.is_finite()
+            && constant(norm.scalar, T::ONE)
+            && (0..Q::BLADES.len()).all(|i| constant(norm.fourth.at(i), T::ZERO))
+    }
+
+    /// The sum of the squares of the coefficients.
+    #[inline(always)]
+    fn size(&self) -> T {
         let squares = |x: T| x * x;
-        let size =
-            squares(self.scalar) + sum_of(&self.bivector, squares) + sum_of(&self.fourth, squares);
-        let rounding = rounding_of(size);
+        squares(self.scalar) + sum_of(&self.bivector, squares) + sum_of(&self.fourth, squares)
+    }
+
+    /// The unit versor and its norm, where the norm is not 1, or not in all lanes.
+    #[inline(never)]
+    pub(super) fn over_norm(
+        self,
+        commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
+    ) -> Option<(Self, T)> {
+        let norm = self.norm_squared(commutators);
+        let rounding = rounding_of(self.size());
         if !rounding.is_finite() {
             return None;
         }
-        let rest = sum_of(&norm.fourth, T::abs);
-        let deviation = (norm.scalar - T::ONE).abs() + rest;
+        let deviation = norm.deviation();
         let is_unit =
             |value: T, expected: T| deviation.select_le(rounding, value.at_value(expected), value);
         let exact = NormSquared {
             scalar: is_unit(norm.scalar, T::ONE),
             fourth: Q::from_fn(|i| is_unit(norm.fourth.at(i), T::ZERO)),
         };
-        if exact.scalar == T::ONE && sum_of(&exact.fourth, T::abs) == T::ZERO {
-            return Some((self, T::ONE));
-        }
         let drift = norm.scalar * T::from_f64(DRIFT);
+        let rest = sum_of(&norm.fourth, T::abs);
         if !(rest.all_le(drift + rounding) && norm.scalar.is_invertible()) {
             return None;
         }

@@ -3,7 +3,7 @@
 
 use core::ops::{Add, Sub};
 
-use crate::convert;
+use crate::convert::{self, Places};
 use crate::ops::{Element, Geometric, Inner, ScalarProduct, Wedge};
 use crate::{Blade, Real, Scalar};
 
@@ -175,8 +175,23 @@ where
     /// The sum of the parts.
     #[inline]
     pub(super) fn sum<R: Versors<A, Q, Number = T>>(self) -> R {
-        scalar::<R>(self.scalar) + R::from(self.bivector) + R::from(self.fourth)
+        R::from_fn(|i| {
+            let (blade, sign) = R::BLADES[i];
+            let value = match blade.grade() {
+                0 => self.scalar,
+                2 => Places::<A, R>::at(i).read(&self.bivector),
+                4 => Places::<Q, R>::at(i).read(&self.fourth),
+                _ => T::ZERO,
+            };
+            convert::signed(sign, value)
+        })
     }
+}
+
+/// The sum of multiples of two elements.
+#[inline]
+pub(super) fn combined<A: Element>(one: A, factor: A::Number, other: A, share: A::Number) -> A {
+    A::from_fn(|i| (one.at(i) * factor).plus_product(other.at(i), share))
 }
 
 /// The element, if all its coefficients are finite.

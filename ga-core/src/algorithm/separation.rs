@@ -26,6 +26,14 @@ pub(super) struct Separation<T, A, Q> {
     pub near: T,
 }
 
+/// Not above zero near −1, for the scalar and the square of the bivector of a unit versor.
+#[inline]
+pub(super) fn nearness<T: Real>(scalar: T, square: T) -> T {
+    let half = T::from_ratio(1, 2);
+    let (short, opposed) = (square.abs() - half * half, scalar + half);
+    (short - opposed).select_le(T::ZERO, opposed, short)
+}
+
 /// One of the two components of a versor: the cosine of its turn and minus the square of its
 /// sine.
 #[derive(Clone, Copy)]
@@ -56,7 +64,6 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     /// Looks at a unit versor.
-    #[inline]
     pub fn of(unit: Parts<T, A, Q>) -> Self {
         let Parts {
             scalar, bivector, ..
@@ -65,8 +72,7 @@ where
         let square = bivector.scalar_product(bivector);
         let outer: Q = outer_square(bivector);
         // Near −1 the bivector knows V better than V itself: A∧A = 2⟨R⟩V.
-        let (short, opposed) = (square.abs() - half * half, scalar + half);
-        let near = (short - opposed).select_le(T::ZERO, opposed, short);
+        let near = nearness(scalar, square);
         let factor = half / scalar;
         let fourth =
             Q::from_fn(|i| near.select_le(T::ZERO, outer.at(i) * factor, unit.fourth.at(i)));

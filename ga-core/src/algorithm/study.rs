@@ -171,22 +171,31 @@ impl<T: Real> Study<T> {
 
     /// C and S as power series, for |a|, |w| up to 5/4.
     fn by_series(self) -> (Self, Self) {
-        let one = self.real(T::ONE);
-        let (mut cosh, mut sinhc) = (one, one);
-        for n in (1..=SERIES_TERMS).rev() {
-            cosh = one + (self * cosh).scaled(T::from_ratio(1, (2 * n - 1) * (2 * n)));
-            sinhc = one + (self * sinhc).scaled(T::from_ratio(1, 2 * n * (2 * n + 1)));
-        }
-        (cosh, sinhc)
+        (self.polynomial(&COSH), self.polynomial(&SINHC))
+    }
+
+    /// The polynomial with these coefficients, the constant one first: even and odd powers side by
+    /// side, so that no product waits for all those before it.
+    #[inline]
+    fn polynomial<const N: usize>(self, coefficients: &[f64; N]) -> Self {
+        let square = self * self;
+        let zero = self.real(T::ZERO);
+        let sum = |first: usize| {
+            let own = coefficients.iter().skip(first).step_by(2).rev();
+            own.fold(zero, |sum, &coefficient| {
+                (sum * square).plus(T::from_f64(coefficient))
+            })
+        };
+        sum(0) + self * sum(1)
     }
 
     /// The function z / sinh z of `self` = cosh z, given the square root of (1 + cosh z)/2,
     /// which is cosh(z/2): the factor for which `log(c + A) = f A`.
     ///
     /// The argument is halved until it is small, f(c) = f(c′)/c′ with c′ = √((1 + c)/2), and
-    /// the rest is (1 − t²) artanh(t)/t with t² = tanh²(z/2).
+    /// the rest is a power series in 1 − c′.
     ///
-    /// Cost: 15 products of Study numbers, and for each halving a product and a square root.
+    /// Cost: 20 products of Study numbers, and for each halving a product and a square root.
     pub fn log_factor(half: Self) -> Self {
         let one_half = T::from_ratio(1, 2);
         let mut cosh = half;
@@ -200,18 +209,39 @@ impl<T: Real> Study<T> {
             cosh = cosh.plus(T::ONE).scaled(one_half).sqrt();
             product = product * cosh;
         }
-        let tanh_squared = cosh.plus(-T::ONE) * cosh.plus(T::ONE).inverse();
-        let mut sum = half.real(T::ZERO);
-        for n in (0..LOGARITHM_TERMS).rev() {
-            sum = (tanh_squared * sum).plus(T::from_ratio(1, 2 * n + 1));
-        }
-        tanh_squared.scaled(-T::ONE).plus(T::ONE) * sum * product.inverse()
+        let distance = cosh.scaled(-T::ONE).plus(T::ONE);
+        distance.polynomial(&ARC) * product.inverse()
     }
 }
 
-/// Terms of the series of cosh √s and sinh √s / √s for |s| ≤ 5/2; the first left out is 2·10⁻¹⁹.
-const SERIES_TERMS: i64 = 12;
-/// Terms of the series of artanh t / t for |t²| ≤ 1/7.
-const LOGARITHM_TERMS: i64 = 19;
+/// Coefficients 1/(2n)! of cosh √s.
+const COSH: [f64; 13] = reciprocal_factorials(0);
+/// Coefficients 1/(2n+1)! of sinh √s / √s.
+const SINHC: [f64; 13] = reciprocal_factorials(1);
+
+/// Reciprocals of the factorials of `first`, `first` + 2, …; for |s| ≤ 5/2 the first one left out
+/// counts 2·10⁻¹⁹.
+const fn reciprocal_factorials(first: u64) -> [f64; 13] {
+    let mut coefficients = [1.0; 13];
+    let mut index = 1;
+    while index < coefficients.len() {
+        let n = 2 * index as u64 + first;
+        coefficients[index] = coefficients[index - 1] / ((n - 1) * n) as f64;
+        index += 1;
+    }
+    coefficients
+}
+
+/// Coefficients n!/(2n+1)!! of θ/sin θ in powers of 1 − cos θ, of which the first one left out
+/// counts 10⁻¹⁷ for 1/4.
+const ARC: [f64; 18] = {
+    let mut coefficients = [1.0; 18];
+    let mut n = 1;
+    while n < coefficients.len() {
+        coefficients[n] = coefficients[n - 1] * n as f64 / (2 * n + 1) as f64;
+        n += 1;
+    }
+    coefficients
+};
 /// Halvings that bring every finite hyperbolic cosine near one.
 const LARGEST_HALVINGS: u32 = 24;

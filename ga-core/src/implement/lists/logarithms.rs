@@ -47,7 +47,7 @@ macro_rules! renormalization {
 #[macro_export]
 macro_rules! versor_functions {
     (
-        $logarithm:ident $commuting:ident
+        $logarithm:ident $of_unit:ident $commuting:ident
         $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $log:literal $sqrt:literal $normal:literal
     ) => {
         impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
@@ -59,6 +59,10 @@ macro_rules! versor_functions {
                     self,
                     $crate::versor_functions!(@$commuting $Bivector $Fourth),
                 )
+            }
+            #[inline]
+            fn log_of_unit(self) -> ::core::option::Option<$Bivector<T>> {
+                $crate::algorithm::$of_unit::<T, _, $Bivector<T>, $Fourth<T>>(self)
             }
         }
         impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {

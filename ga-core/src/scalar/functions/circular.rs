@@ -27,22 +27,28 @@ pub fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let lost = (L::ONE - cosine) - half;
     let rest = lost.plus_product(square * square, polynomial(square, L::Float::COSINE));
     let cosine = cosine + rest;
-    let odd = L::ZERO.is_less(parity(turns));
-    let half_turns = nearest_integer((turns - parity(turns)) * constant(0.5));
-    let (sine, cosine) = (L::select(odd, cosine, sine), L::select(odd, sine, cosine));
     // A quarter further, (sin, cos) is (cos, −sin); half a turn further, the opposite.
-    let opposite = L::ZERO.is_less(parity(half_turns));
+    let quarter = parity(turns);
+    let half = parity((turns - quarter) * constant(0.5));
+    let odd = L::ZERO.is_less(quarter);
+    let two = constant::<L>(2.0);
+    let sign = L::ONE - two * half;
     let (sine, cosine) = (
-        L::select(opposite, -sine, sine),
-        L::select(opposite, -cosine, cosine),
+        L::select(odd, cosine, sine) * sign,
+        L::select(odd, sine, cosine) * (sign - two * sign * quarter),
     );
-    let cosine = L::select(odd, -cosine, cosine);
     if L::all(near) {
         return (sine, cosine);
     }
-    let by_library = (x.map(|x| x.sin_cos().0), x.map(|x| x.sin_cos().1));
+    let (far_sine, far_cosine) = by_library(x);
     (
-        L::select(near, sine, by_library.0),
-        L::select(near, cosine, by_library.1),
+        L::select(near, sine, far_sine),
+        L::select(near, cosine, far_cosine),
     )
+}
+
+#[cold]
+#[inline(never)]
+fn by_library<L: Lanes>(x: L) -> (L, L) {
+    (x.map(|x| x.sin_cos().0), x.map(|x| x.sin_cos().1))
 }

@@ -66,11 +66,7 @@ impl<L: Lanes> Argument<L> {
         }
         // Of larger angles hardly a digit is known; they are reduced by the library.
         if !L::all(near | !turned) {
-            let far = root.map(|angle| {
-                let (sin, cos) = angle.sin_cos();
-                sin.atan2(cos)
-            });
-            rest = L::select(near, rest, far);
+            rest = L::select(near, rest, reduced_by_library(root));
         }
         // By the library the number of half turns is even.
         let half_turns = L::select(near, half_turns, L::ZERO);
@@ -108,6 +104,16 @@ impl<L: Lanes> Argument<L> {
         }
         (cosh, sinhc, slope)
     }
+}
+
+/// The angle in (−π, π], lane by lane.
+#[cold]
+#[inline(never)]
+fn reduced_by_library<L: Lanes>(angle: L) -> L {
+    angle.map(|angle| {
+        let (sin, cos) = angle.sin_cos();
+        sin.atan2(cos)
+    })
 }
 
 /// The cosine up to which the polynomials of the logarithm reach.

@@ -171,15 +171,17 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
         "impl<T: Real> Logarithm for {name}<T> {{ type Output = {output}<T>; \
          #[doc = \" The principal logarithm of the versor over its norm (2.68, 2.69 with the sign \
          of the scalar part respected); `None` where no real one exists or it is not unique.{sentence} \
-         Four divisions, a root and an inverse tangent or sine.\"] \
+         One evaluation of the angle over its sine, and where the norm is not 1, four divisions and a root.\"] \
          #[inline] fn log(self) -> ::core::option::Option<{output}<T>> {{ \
-         let (r, square) = algebra::convert::polar(self.{field}, {square})?; \
-         let f = (self.{field} / r).log_factor(square / (r * r))? / r; Some({}) }} }}\n\
+         let f = algebra::convert::logarithm_factor(self.{field}, {square})?; Some({}) }} \
+         #[inline] fn log_of_unit(self) -> ::core::option::Option<{output}<T>> {{ \
+         let f = self.{field}.log_factor({square})?; Some({}) }} }}\n\
          impl<T: Real> SquareRoot for {name}<T> {{ type Output = {name}<T>; \
          #[doc = \" The principal square root (2.37, 2.38), `(R + |R|) / √(2(⟨R⟩ + |R|))`; `None` \
          where no real one exists or it is not unique.{sentence} Two divisions and two roots.\"] \
          #[inline] fn sqrt(self) -> ::core::option::Option<{name}<T>> {{ \
          let (c, f) = algebra::convert::half(self.{field}, {square})?; Some({}) }} }}\n",
+        scale(result, part, "T::ZERO"),
         scale(result, part, "T::ZERO"),
         scale(a, part, "c"),
     );

@@ -221,7 +221,7 @@ impl Planes {
         let types = self.types(generator, a);
         let _ = writeln!(
             generator.source,
-            "algebra::versor_functions! {{ {algorithm} {commuting} {types} {log:?} {sqrt:?} {normal:?} }}"
+            "algebra::versor_functions! {{ {algorithm} {algorithm}_of_unit {commuting} {types} {log:?} {sqrt:?} {normal:?} }}"
         );
     }
 }
