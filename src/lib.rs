@@ -76,7 +76,7 @@ macro_rules! algebra_source {
 /// What most programs want in scope: the number traits and the traits of generic code.
 pub mod prelude {
     pub use crate::core::ops::*;
-    pub use crate::core::{Blade, Field, Real, Scalar};
+    pub use crate::core::{Blade, Field, Real, Scalar, Unit};
     pub use crate::{algebra_source, define_algebra};
 }
 

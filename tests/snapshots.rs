@@ -49,9 +49,9 @@ fn ledgers() {
 fn chosen_functions_of_the_conformal_model() {
     let source = expansion(conformal());
     let chosen = [
-        ("Apply for Motor<T>", "apply(self, x: Point<T>)"),
-        ("Apply for Rotor<T>", "apply(self, x: PointPair<T>)"),
-        ("Apply for DualPlane<T>", "apply(self, x: DualSphere<T>)"),
+        ("ApplyUnit for Motor<T>", "x: Point<T>)"),
+        ("ApplyUnit for Rotor<T>", "x: PointPair<T>)"),
+        ("ApplyUnit for DualPlane<T>", "x: DualSphere<T>)"),
         ("Wedge for Point<T>", "wedge(self, b: Point<T>)"),
         ("Wedge for Point<T>", "wedge(self, b: PointPair<T>)"),
         ("Geometric for Motor<T>", "geometric(self, b: Motor<T>)"),

@@ -19,6 +19,8 @@ ga_macros::define_algebra! {
             /// A Euclidean trivector, a multiple of the volume **I**₃: e₁₂₃ of Table 2.5.
             Trivector3 { e123 }
             /// A point of weight 1, p = n_o + **x** + ½**x**² n_∞ (2.44); n_o of Table 2.5 is the origin.
+            /// [`at`](Self::at) makes them; whoever gives all coefficients promises the last.
+            #[null]
             Point { no = 1, e1, e2, e3, ni }
             /// A dual sphere σ = p − ½r² n_∞ (2.52) of any weight; with it every vector of the
             /// algebra, all grade 1 of Table 2.5: weighted points, dual planes, imaginary spheres, n_∞.

@@ -102,3 +102,5 @@ pub use flat::Flat;
 pub use round::{CircleOrLine, Degenerate, Round, SphereOrPlane, SplitPair};
 pub use tangent::Tangent;
 pub use versor::{ConformalRotor, OddVersor};
+
+pub use ga_core::Unit;

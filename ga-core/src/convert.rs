@@ -73,6 +73,38 @@ where
     })
 }
 
+/// The blade of a field of `X`, as spelled there, as an element of a type that stores it.
+#[inline]
+pub fn basis<X, Linear>(position: usize) -> Linear
+where
+    X: Element,
+    Linear: Element<Number = X::Number>,
+{
+    let wanted = X::BLADES.get(position);
+    Linear::from_fn(|i| {
+        let (blade, sign) = Linear::BLADES[i];
+        match wanted {
+            Some((own, spelled)) if *own == blade => signed(sign * spelled, X::Number::ONE),
+            _ => X::Number::ZERO,
+        }
+    })
+}
+
+/// The coefficients of `x` that `Narrow` stores, each times a factor; of the others, the factor
+/// is known to make the fixed ones of `Narrow`.
+#[inline]
+pub fn multiple<X, Narrow>(x: X, factor: X::Number) -> Narrow
+where
+    X: Element,
+    Narrow: Element<Number = X::Number>,
+    X::Number: Field,
+{
+    Narrow::from_fn(|i| {
+        let (blade, sign) = Narrow::BLADES[i];
+        signed(sign, coefficient(&x, blade)) * factor
+    })
+}
+
 /// The coefficient of a blade in increasing order, stored or fixed.
 #[inline]
 pub(crate) fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number

@@ -17,6 +17,7 @@ macro_rules! element {
         $Name:ident sums $Sum:ident
         fields { $($field:ident $label:literal $mask:literal $sign:literal,)* }
         fixed { $($fixed_label:literal $fixed_mask:literal $fixed_sign:literal ($numerator:literal, $denominator:literal),)* }
+        $(null { $($square:literal [$($term:tt)*])* })?
     ) => {
         impl<T: $crate::Scalar> $crate::ops::Element for $Name<T> {
             type Number = T;
@@ -26,6 +27,8 @@ macro_rules! element {
             const FIXED: &'static [($crate::Blade, i8, i64, i64)] =
                 &[$(($crate::Blade::new($fixed_mask), $fixed_sign, $numerator, $denominator)),*];
             const LABELS: &'static [&'static str] = &[$($label),*];
+            $(const NULL: &'static [$crate::ops::VanishingForm] =
+                &[$(($crate::Blade::new($square), &[$($term),*])),*];)?
 
             #[inline]
             fn at(&self, position: usize) -> T {
@@ -48,7 +51,7 @@ macro_rules! element {
         }
 
         $crate::element_methods! { $Name $Sum { $($field $label $mask $sign,)* } }
-        $crate::element_arithmetic! { $Name $Sum { $($field,)* } { $($fixed_mask)* } }
+        $crate::element_arithmetic! { $Name $Sum { $($field,)* } { $($fixed_mask)* $([$($square)*])? } }
         $crate::element_operators! { $Name }
         $crate::element_format! { $Name { $($field $label,)* } { $($fixed_label $numerator $denominator,)* } }
         $crate::element_features! { $Name { $($field $label,)* } }

@@ -14,18 +14,21 @@ pub mod dense;
 pub mod dual;
 mod implement;
 mod involution;
+pub mod linear_map;
 mod metric;
 pub mod ops;
 pub mod product;
 mod rational;
 mod scalar;
 pub mod table;
+mod unit;
 
 pub use blade::{Blade, reorder_sign};
 pub use convert::Narrowing;
 #[doc(hidden)]
 pub use implement::features::crates;
 pub use involution::Involution;
+pub use linear_map::{LengthMismatch, LinearMap};
 pub use metric::{Metric, MetricError};
 pub use ops::Element;
 pub use product::Product;
@@ -33,3 +36,4 @@ pub use rational::Rational;
 pub use scalar::{Dual, Field, Real, Scalar};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Lanes, Precision};
+pub use unit::Unit;

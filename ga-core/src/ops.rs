@@ -9,8 +9,16 @@
 //! }
 //! ```
 
+mod application;
+
+pub use application::{Apply, ApplyUnit, Outermorphism, Sandwich, Versor};
+
 use crate::algorithm::Split;
 use crate::{Blade, Field, Real, Scalar};
+
+/// A blade, and a quadratic form in the stored coefficients of a type: terms of two positions and
+/// a factor, numerator and denominator. The position after the last stands for 1.
+pub type VanishingForm = (Blade, &'static [(usize, usize, i64, i64)]);
 
 /// A generated type: a list of coefficients, each belonging to a signed basis blade.
 pub trait Element: Copy + PartialEq {
@@ -27,6 +35,9 @@ pub trait Element: Copy + PartialEq {
     const FIXED: &'static [(Blade, i8, i64, i64)];
     /// The labels of the stored coefficients, `1` for the scalar.
     const LABELS: &'static [&'static str];
+
+    /// The square of a type declared `#[null]`, by blade: what vanishes for all of its values.
+    const NULL: &'static [VanishingForm] = &[];
 
     /// The stored coefficient at a position of [`BLADES`](Element::BLADES); zero beyond.
     fn at(&self, position: usize) -> Self::Number;
@@ -84,26 +95,6 @@ products! {
     Anticommutator anticommutator
     /// Division, operator `/`: `a b⁻¹`; non-finite where `b` has no inverse, as in floats.
     Quotient quotient
-}
-
-/// The sandwich `V x̂ Ṽ`: (2.28) times the squared norm of `V`, by ring operations alone.
-pub trait Sandwich<X> {
-    /// The type of the result, the operand's own where that holds it.
-    type Output;
-    /// `V x̂ Ṽ`, with the grade involution of `x` for odd `V`.
-    fn sandwich(self, x: X) -> Self::Output;
-}
-
-/// Versor application `V x̂ V⁻¹` (2.28), written R\[X\] in the dissertation.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no versor for `{X}`",
-    note = "versors are types of even blades only or of odd blades only"
-)]
-pub trait Apply<X> {
-    /// The type of the result, the operand's own where that holds it.
-    type Output;
-    /// The image of `x` under the versor.
-    fn apply(self, x: X) -> Self::Output;
 }
 
 macro_rules! maps {

@@ -20,6 +20,8 @@
 
 #![no_std]
 
+pub use ga_core::Unit;
+
 #[cfg(feature = "conformal")]
 pub mod conformal;
 #[cfg(feature = "conformal-plane")]

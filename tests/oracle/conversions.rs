@@ -54,14 +54,18 @@ where
         let (narrow, wide) = (Kind::of::<A>(), Kind::of::<B>());
         let names = format!("{} from {}", narrow.name, wide.name);
         let mut samples = Samples::new(37);
-        let a = A::from_fn(|_| samples.float());
+        let numbers = (0..A::BLADES.len()).map(|_| samples.thousandth()).collect();
+        let exact = narrow.completed(numbers);
+        let a = A::from_fn(|i| *exact[i].numer() as f64 / *exact[i].denom() as f64);
         assert!(A::try_from(B::from(a)) == Ok(a), "{names}");
         for position in 0..B::BLADES.len() {
             let wider = B::from(a);
             let disturbed = |change: f64| {
                 B::from_fn(|i| wider.at(i) + if i == position { change } else { 0.0 })
             };
-            let stored = narrow.stored.contains(&wide.stored[position]);
+            // Of a null type no single coefficient can be another one.
+            let free = narrow.null.is_empty() || !wide.null.is_empty();
+            let stored = free && narrow.stored.contains(&wide.stored[position]);
             assert_eq!(A::try_from(disturbed(0.5)).is_ok(), stored, "{names}");
             assert!(A::try_from(disturbed(1e-12)).is_ok(), "{names}");
             assert!(A::try_from(disturbed(f64::NAN)).is_err(), "{names}");

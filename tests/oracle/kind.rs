@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use ga::core::Rational;
 use ga::core::ops::Element;
 
+use crate::operation::Numbers;
 use crate::polynomial::{General, Polynomial, variable};
 use crate::reference::Oracle;
 
@@ -17,7 +18,12 @@ pub struct Kind {
     /// The signs that their spellings have against the increasing order.
     pub signs: Vec<Rational>,
     pub fixed: Vec<(u32, Rational)>,
+    /// Of a type declared null, the quadratic forms that vanish for its values.
+    pub null: Vec<Form>,
 }
+
+/// Terms of two positions among the fields, that after the last for 1, and a factor.
+type Form = Vec<(usize, usize, Rational)>;
 
 impl Kind {
     pub fn of<X: Element>() -> Kind {
@@ -35,7 +41,43 @@ impl Kind {
                     (blade.mask(), value * sign(own))
                 })
                 .collect(),
+            null: X::NULL
+                .iter()
+                .map(|(_, form)| {
+                    let terms = form.iter().map(|(first, second, numerator, denominator)| {
+                        let factor =
+                            Rational::new(i128::from(*numerator), i128::from(*denominator));
+                        (*first, *second, factor)
+                    });
+                    terms.collect()
+                })
+                .collect(),
         }
+    }
+
+    /// The numbers as those of a value of the type: where it is declared null, a coefficient that
+    /// the others determine is set so that the square vanishes.
+    pub fn completed(&self, mut numbers: Numbers) -> Numbers {
+        let length = numbers.len();
+        for form in &self.null {
+            let alone = |(first, second, _): &&(usize, usize, Rational)| {
+                let mut terms = form.iter();
+                *second == length && terms.filter(|t| t.0 == *first || t.1 == *first).count() == 1
+            };
+            let (own, _, factor) = *form.iter().find(alone).expect("a linear coefficient");
+            let value = |position: usize| numbers.get(position).copied().unwrap_or(Rational::ONE);
+            let others = form.iter().filter(|(first, ..)| *first != own);
+            let sum: Rational = others
+                .map(|(first, second, f)| value(*first) * value(*second) * f)
+                .sum();
+            numbers[own] = -sum / factor;
+        }
+        numbers
+    }
+
+    /// Whether some values only of those with its blades are values of the type.
+    pub fn is_constrained(&self) -> bool {
+        !self.fixed.is_empty() || !self.null.is_empty()
     }
 
     /// The blades of all coefficients.
@@ -77,11 +119,17 @@ impl Kind {
 
     /// Whether every value of one type is a value of this one.
     pub fn holds_kind(&self, other: &Kind) -> bool {
-        self.holds(&other.general(0))
+        let null = self.null.is_empty() || !other.null.is_empty();
+        null && self.fits(&other.general(0))
     }
 
-    /// Whether every value of the element is a value of this type.
+    /// Whether every value of the element is a value of this type, whatever the element's square.
     pub fn holds(&self, element: &General) -> bool {
+        self.null.is_empty() && self.fits(element)
+    }
+
+    /// Whether the type has all blades of the element, and the fixed coefficients are its own.
+    pub fn fits(&self, element: &General) -> bool {
         let blades = self.blades();
         element.keys().all(|mask| blades.contains(mask))
             && self
@@ -108,7 +156,7 @@ pub fn smallest<'o>(oracle: &'o Oracle, element: &General) -> Option<&'o Kind> {
 
 /// The declared type with the fewest fields that has all these blades and fixes none.
 pub fn free<'o>(oracle: &'o Oracle, blades: &BTreeSet<u32>) -> Option<&'o Kind> {
-    let holds = |kind: &&Kind| kind.fixed.is_empty() && kind.blades().is_superset(blades);
+    let holds = |kind: &&Kind| !kind.is_constrained() && kind.blades().is_superset(blades);
     oracle
         .kinds
         .iter()

@@ -106,6 +106,10 @@ pub fn product_kind<'o>(
 
 /// Whether some value of the type may be a versor: ⟨X X̃⟩ is not always zero.
 pub fn has_norm(oracle: &Oracle, a: &Kind) -> bool {
+    // Of one grade, X X̃ is the square up to sign.
+    if !a.null.is_empty() && a.grades().is_power_of_two() {
+        return false;
+    }
     let general = a.general(0);
     !product(
         oracle,
@@ -143,14 +147,14 @@ pub fn images(oracle: &Oracle, versor: &Kind, operand: &Kind) -> Option<Images> 
     };
     let first = geometric(&v, &linear(&x, |mask| vec![(mask, sign(mask))]));
     let whole = restricted(geometric(&first, &reversed(&v)));
-    let sandwich = match operand.holds(&whole) {
+    let sandwich = match operand.fits(&whole) {
         true => operand,
         false => smallest(oracle, &whole)?,
     };
     // x + (V x̂ − x V) V⁻¹ shows which fixed coefficients stay.
     let difference = sum(&first, &geometric(&x, &v), -Rational::ONE);
     let moved = restricted(geometric(&difference, &reversed(&v)));
-    let keeps = !operand.fixed.is_empty() && operand.holds(&sum(&x, &moved, Rational::ONE));
+    let keeps = operand.is_constrained() && operand.fits(&sum(&x, &moved, Rational::ONE));
     let unit = oracle.units.contains(&versor.name.as_str())
         || !versor.fixed.is_empty() && is_unit(oracle, &v);
     let applied = if keeps {

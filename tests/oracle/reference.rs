@@ -37,8 +37,8 @@ pub struct Oracle {
     pub embeddings: &'static [(&'static str, &'static str)],
     /// How many operations have been compared.
     pub compared: RefCell<usize>,
-    /// The versors of each type, found when first asked for.
-    pub versors: RefCell<HashMap<String, Vec<Numbers>>>,
+    /// The versors of each type, any and those of norm 1, found when first asked for.
+    pub versors: RefCell<HashMap<(String, bool), Vec<Numbers>>>,
     /// Divisors of each type with their inverses, found when first asked for.
     pub divisors: RefCell<HashMap<String, Rc<[Divisor]>>>,
     rows: RefCell<HashMap<(Product, u32, u32), Row>>,

@@ -94,6 +94,11 @@ impl Samples {
     pub fn float(&mut self) -> f64 {
         (self.next() % 20_001) as f64 / 10_000.0 - 1.0
     }
+
+    /// A number of thousandths between −1 and 1.
+    pub fn thousandth(&mut self) -> Rational {
+        Rational::new(i128::from(self.next() % 2_001) - 1_000, 1_000)
+    }
 }
 
 /// Pairs of small numbers with rational roots of the sum or of the difference of their squares.
@@ -102,21 +107,29 @@ const TRIPLES: [(i128, i128); 4] = [(3, 4), (5, 3), (5, 4), (5, 12)];
 /// Versors of a type: single blades, sums of few blades and products of these, as far as the
 /// type holds them; of norm 1 for a type that is declared so.
 pub fn versors(oracle: &Oracle, kind: &Kind) -> Vec<Numbers> {
-    if let Some(known) = oracle.versors.borrow().get(&kind.name) {
+    known(oracle, kind, oracle.units.contains(&kind.name.as_str()))
+}
+
+/// The same of norm 1, whether the type is declared so or not.
+pub fn unit_versors(oracle: &Oracle, kind: &Kind) -> Vec<Numbers> {
+    known(oracle, kind, true)
+}
+
+fn known(oracle: &Oracle, kind: &Kind, unit: bool) -> Vec<Numbers> {
+    let key = (kind.name.clone(), unit);
+    if let Some(known) = oracle.versors.borrow().get(&key) {
         return known.clone();
     }
-    let chosen = search(oracle, kind);
+    let chosen = search(oracle, kind, unit);
     let list = chosen
         .iter()
         .filter_map(|value| oracle.numbers(kind, value));
     let list: Vec<Numbers> = list.collect();
-    let mut versors = oracle.versors.borrow_mut();
-    versors.insert(kind.name.clone(), list.clone());
+    oracle.versors.borrow_mut().insert(key, list.clone());
     list
 }
 
-fn search(oracle: &Oracle, kind: &Kind) -> Vec<Value> {
-    let unit = oracle.units.contains(&kind.name.as_str());
+fn search(oracle: &Oracle, kind: &Kind, unit: bool) -> Vec<Value> {
     let length = kind.stored.len();
     let mut samples = Samples::new(length as u64 + 7);
     let mut found: Vec<Value> = Vec::new();

@@ -38,7 +38,8 @@ fn image_kind(oracle: &Oracle, kind: &Kind, map: Map) -> Option<Kind> {
         let terms = image.terms();
         terms.iter().map(|(blade, v)| (blade.mask(), *v)).collect()
     });
-    let own = kind.holds(&image).then_some(kind);
+    // Involutions keep a square of 0; duals are of other blades than null types here.
+    let own = kind.fits(&image).then_some(kind);
     own.or_else(|| smallest(oracle, &image)).cloned()
 }
 

@@ -1,13 +1,13 @@
 //! Sandwiches and versor application for every pair whose first type has one parity.
 
 use ga::core::ops::*;
-use ga::core::{Product, Rational};
+use ga::core::{Product, Rational, Unit};
 
 use crate::kind::{Kind, free};
 use crate::operation::{Binary, Pair, element, numbers};
 use crate::polynomial::{has_norm, images, reversal};
 use crate::reference::{Oracle, Value};
-use crate::samples::{Form, Samples, versors};
+use crate::samples::{Form, Samples, unit_versors, versors};
 
 /// From how many terms on the operation is not looked at as a polynomial: the generator then
 /// gives all blades of the operand's grades, and so does the oracle.
@@ -63,7 +63,7 @@ fn compare_sandwiches(oracle: &Oracle, [left, right, result]: [Kind; 3], compute
         }
     }
     for v in list {
-        let x = samples.numbers(right.stored.len(), Form::Fractions);
+        let x = right.completed(samples.numbers(right.stored.len(), Form::Fractions));
         let (y, z) = (oracle.value_of(&left, &v), oracle.value_of(&right, &x));
         let reverse = oracle.signed(&y, reversal);
         let expected = image(oracle, &left, &y, &z, &reverse);
@@ -80,10 +80,24 @@ fn compare_applications(oracle: &Oracle, [left, right, result]: [Kind; 3], compu
     compare_kinds(&what, &right, &result, expected);
     let mut samples = Samples::of(&left, &right);
     for v in versors(oracle, &left) {
-        let x = samples.numbers(right.stored.len(), Form::Fractions);
+        let x = right.completed(samples.numbers(right.stored.len(), Form::Fractions));
         let (y, z) = (oracle.value_of(&left, &v), oracle.value_of(&right, &x));
         let inverse = oracle.inverse(&y).expect("a versor");
         let expected = image(oracle, &left, &y, &z, &inverse);
+        let generated = oracle.value_of(&result, &compute(&v, &x));
+        oracle.same(&what, &[&y, &z], &generated, &expected);
+    }
+}
+
+/// Compares V x̂ Ṽ of unit versors, which promise nothing by their type.
+fn compare_units(oracle: &Oracle, [left, right, result]: [Kind; 3], compute: Binary) {
+    let what = format!("Unit<{}>.apply({})", left.name, right.name);
+    let mut samples = Samples::of(&left, &right);
+    for v in unit_versors(oracle, &left) {
+        let x = right.completed(samples.numbers(right.stored.len(), Form::Fractions));
+        let (y, z) = (oracle.value_of(&left, &v), oracle.value_of(&right, &x));
+        let reverse = oracle.signed(&y, reversal);
+        let expected = image(oracle, &left, &y, &z, &reverse);
         let generated = oracle.value_of(&result, &compute(&v, &x));
         oracle.same(&what, &[&y, &z], &generated, &expected);
     }
@@ -106,13 +120,18 @@ where
 impl<V, X, R> Pair<V, X>
 where
     V: Element<Number = Rational> + Apply<X, Output = R>,
+    Unit<V>: Apply<X, Output = R>,
     X: Element<Number = Rational>,
     R: Element<Number = Rational>,
 {
     pub fn apply(&self, oracle: &Oracle) {
-        let kinds = [Kind::of::<V>(), Kind::of::<X>(), Kind::of::<R>()];
-        compare_applications(oracle, kinds, |v, x| {
+        let kinds = || [Kind::of::<V>(), Kind::of::<X>(), Kind::of::<R>()];
+        compare_applications(oracle, kinds(), |v, x| {
             numbers(&element::<V>(v).apply(element::<X>(x)))
+        });
+        compare_units(oracle, kinds(), |v, x| {
+            let unit = Unit::promised(element::<V>(v));
+            numbers(&Apply::apply(unit, element::<X>(x)))
         });
     }
 }

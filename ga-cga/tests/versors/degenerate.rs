@@ -90,7 +90,10 @@ fn null_versors_have_no_images() {
     let p = Point::at(1.0, 2.0, 3.0);
     assert_eq!(p.image_under(DualSphere::<f64>::default()), None);
     assert_eq!(p.image_under(DualSphere::<f64>::infinity()), None);
-    assert_eq!(p.image_under(Point::at(0.0, 0.0, 1.0)), None);
+    assert_eq!(
+        p.image_under(DualSphere::from(Point::at(0.0, 0.0, 1.0))),
+        None
+    );
     assert_eq!(p.image_under(Motor::<f64>::default()), None);
     assert_eq!(p.image_under(Dilator::new(1.0, 1.0)), None);
     assert_eq!(p.image_under(Odd::<f64>::default()), None);

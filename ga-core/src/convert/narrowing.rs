@@ -7,12 +7,15 @@ use super::{coefficient, pick, signed};
 use crate::ops::Element;
 use crate::{Blade, Field, Real, Scalar};
 
-/// A narrowing conversion would drop a coefficient that is not negligible, or the value of a
-/// fixed coefficient is another one.
+/// A narrowing conversion would drop a coefficient that is not negligible, the value of a fixed
+/// coefficient is another one, or an element is not null that has to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Narrowing {
     /// The blade whose coefficient is in the way.
     pub blade: Blade,
+    /// Whether it is a coefficient of the square, which the narrower type, declared `#[null]`,
+    /// wants to vanish.
+    pub square: bool,
 }
 
 impl Narrowing {
@@ -23,12 +26,20 @@ impl Narrowing {
 
 impl fmt::Display for Narrowing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the coefficient of blade {:#b} does not fit the narrower type; convert to a type \
-             that stores it, or narrow with a larger tolerance",
-            self.blade.mask()
-        )
+        let mask = self.blade.mask();
+        match self.square {
+            false => write!(
+                f,
+                "the coefficient of blade {mask:#b} does not fit the narrower type; convert to a \
+                 type that stores it, or narrow with a larger tolerance"
+            ),
+            true => write!(
+                f,
+                "the square has a coefficient of blade {mask:#b}, but values of the narrower type \
+                 square to 0; convert to a type without `#[null]`, or narrow with a larger \
+                 tolerance"
+            ),
+        }
     }
 }
 
@@ -46,8 +57,12 @@ where
     Narrow: Element<Number = Wide::Number>,
 {
     let bound = largest(coefficients(&wide), Wide::Number::abs) * tolerance;
-    narrow_where(wide, |difference| {
+    let narrow = narrow_where(wide, |difference| {
         bound.is_finite() && difference.abs().all_le(bound)
+    })?;
+    null_where(narrow, |terms, sum| {
+        let bound = largest(terms, Wide::Number::abs) * tolerance;
+        bound.is_finite() && sum.abs().all_le(bound)
     })
 }
 
@@ -62,7 +77,35 @@ where
     Narrow: Element<Number = Wide::Number>,
 {
     let bound = Wide::Number::negligible_beside(coefficients(&wide));
-    narrow_where(wide, |difference| difference.is_within(bound))
+    let narrow = narrow_where(wide, |difference| difference.is_within(bound))?;
+    null_where(narrow, |terms, sum| {
+        sum.is_within(Wide::Number::negligible_beside(terms))
+    })
+}
+
+/// The element, if all that vanishes for the values of its type is negligible beside its terms.
+fn null_where<X: Element<Number: Field>>(
+    x: X,
+    is_negligible: impl Fn(&mut dyn Iterator<Item = X::Number>, X::Number) -> bool,
+) -> Result<X, Narrowing> {
+    for (blade, form) in X::NULL {
+        let value = |position: usize| match position < X::BLADES.len() {
+            true => x.at(position),
+            false => X::Number::ONE,
+        };
+        let terms = form.iter().map(|(first, second, numerator, denominator)| {
+            let factor = X::Number::from_ratio(*numerator, *denominator);
+            value(*first) * value(*second) * factor
+        });
+        let sum = terms.clone().fold(X::Number::ZERO, |sum, term| sum + term);
+        if !is_negligible(&mut terms.clone(), sum) {
+            return Err(Narrowing {
+                blade: *blade,
+                square: true,
+            });
+        }
+    }
+    Ok(x)
 }
 
 fn coefficients<X: Element>(x: &X) -> impl Iterator<Item = X::Number> {
@@ -77,6 +120,14 @@ pub(crate) fn largest<T: Field>(numbers: impl Iterator<Item = T>, size: impl Fn(
         let (bound, number) = (bound * half, size(number) * half);
         bound + number + size(bound - number)
     })
+}
+
+/// The coefficient of a blade is in the way.
+fn refused(blade: Blade) -> Narrowing {
+    Narrowing {
+        blade,
+        square: false,
+    }
 }
 
 /// The narrower element, if every coefficient that it does not store differs negligibly from
@@ -101,7 +152,7 @@ where
             )
         });
         if !is_negligible(wide.at(i) - expected) {
-            return Err(Narrowing { blade: *blade });
+            return Err(refused(*blade));
         }
     }
     // What the narrow type fixes and the wide one does not store, the wide one has to fix at
@@ -112,7 +163,7 @@ where
         }
         let own = signed(*sign, Wide::Number::from_ratio(*numerator, *denominator));
         if coefficient(&wide, *blade) != own {
-            return Err(Narrowing { blade: *blade });
+            return Err(refused(*blade));
         }
     }
     // What the wide type fixes has to have a place in the narrow one.
@@ -121,7 +172,7 @@ where
             || Narrow::FIXED.iter().any(|(fixed, ..)| fixed == blade)
     };
     if let Some((blade, ..)) = Wide::FIXED.iter().find(|(blade, ..)| !placed(blade)) {
-        return Err(Narrowing { blade: *blade });
+        return Err(refused(*blade));
     }
     Ok(pick(wide))
 }

@@ -4,5 +4,6 @@ mod application;
 mod conversions;
 mod exponentials;
 mod inverses;
+mod linear_maps;
 mod logarithms;
 mod products;

@@ -87,6 +87,8 @@ pub struct TypeDeclaration {
     pub attributes: Vec<Attribute>,
     /// `#[unit]`: values of the type are unit versors, and `apply` may use it.
     pub unit: bool,
+    /// `#[null]`: values of the type square to 0, and `apply` may use it.
+    pub null: bool,
     /// The name of the struct.
     pub name: Ident,
     /// The coefficients it stores.

@@ -4,9 +4,11 @@
 //! the basis names as many distinct vectors; the metric is symmetric, rational and has the
 //! declared signature; type names are distinct, free and in camel case; blades are known,
 //! distinct within a type and not all fixed; standard names keep their standard meaning;
-//! types with fixed coefficients have a type to widen to; products are known and listed once.
+//! types with fixed coefficients or of null elements have a type to widen to, and null elements
+//! exist; products are known and listed once.
 
 mod metric;
+mod null;
 mod products;
 mod signature;
 mod standard;
@@ -34,6 +36,7 @@ pub fn check(input: Input, errors: &mut Errors) -> Option<Model> {
     standard::add(&mut types, &names);
     types::have_distinct_fields(&mut types, &algebra, errors);
     types::have_sums(&types, names.len(), errors);
+    null::can_vanish(&types, &metric, errors);
     if !dimension.known {
         // Blades of a basis that was guessed cannot be held against anyone.
         errors.forget_since(before, Mistake::is_about_blades);

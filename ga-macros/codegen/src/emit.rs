@@ -25,7 +25,7 @@ use crate::poly::{self, Element, Poly};
 use crate::product::Tables;
 
 /// Names that the generated module brings into scope; types cannot have them.
-pub const RESERVED: [&str; 34] = [
+pub const RESERVED: [&str; 35] = [
     "T",
     "Self",
     "Number",
@@ -44,6 +44,7 @@ pub const RESERVED: [&str; 34] = [
     "Anticommutator",
     "Sandwich",
     "Apply",
+    "ApplyUnit",
     "Quotient",
     "Reverse",
     "Involute",
@@ -195,7 +196,7 @@ fn module(model: &Model, structs: TokenStream, items: TokenStream) -> TokenStrea
             #entry
             use algebra::{Blade, Element, Field, Real, Scalar as Number};
             use algebra::ops::{
-                Anticommutator, Apply, Commutator, Conjugate, Dual, Exponential, Geometric, Inner,
+                Anticommutator, ApplyUnit, Commutator, Conjugate, Dual, Exponential, Geometric, Inner,
                 Inverse, Involute, LeftComplement, LeftContract, Logarithm, NormSquared, Quotient,
                 Regressive, Reverse, RightComplement, RightContract, Sandwich, ScalarProduct,
                 SquareRoot, Undual, Wedge,

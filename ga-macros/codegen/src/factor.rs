@@ -29,6 +29,9 @@ pub const TEMPORARY: u8 = 2;
 /// The operand number of the reciprocal of the divisor.
 pub const RECIPROCAL: u8 = 3;
 
+/// The operand number of the multiple of a versor whose reverse is the inverse.
+pub const MULTIPLE: u8 = 4;
+
 /// Operation counts of a kernel. Doublings are counted with the additions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Cost {
@@ -99,18 +102,26 @@ impl Kernel {
         cost
     }
 
-    /// The kernel without the temporaries that no output uses, the others numbered anew, and
+    /// The kernel without the temporaries that no output needs, the others numbered anew, and
     /// without a divisor whose reciprocal is not used.
     pub fn without_unused(self) -> Kernel {
-        let used = |number: usize| {
-            let mut monomials = self.outputs.iter().flat_map(Poly::terms);
-            monomials.any(|(monomial, _)| {
-                monomial
-                    .variables()
-                    .any(|v| v.operand == TEMPORARY && usize::from(v.slot) == number)
-            })
+        let mut used = vec![false; self.temporaries.len()];
+        let mark = |used: &mut Vec<bool>, poly: &Poly| {
+            let variables = poly.terms().flat_map(|(monomial, _)| monomial.variables());
+            for variable in variables.filter(|v| v.operand == TEMPORARY) {
+                used[usize::from(variable.slot)] = true;
+            }
         };
-        let kept: Vec<usize> = (0..self.temporaries.len()).filter(|n| used(*n)).collect();
+        for output in &self.outputs {
+            mark(&mut used, output);
+        }
+        // A temporary reads earlier ones only.
+        for number in (0..self.temporaries.len()).rev() {
+            if used[number] {
+                mark(&mut used, &self.temporaries[number]);
+            }
+        }
+        let kept: Vec<usize> = (0..self.temporaries.len()).filter(|n| used[*n]).collect();
         let renumbered = |v: Variable| {
             let new = kept.iter().position(|n| *n == usize::from(v.slot));
             match new.filter(|_| v.operand == TEMPORARY) {
@@ -124,7 +135,10 @@ impl Kernel {
         let outputs = self.outputs.iter().map(|poly| poly.renamed(renumbered));
         let mut kernel = Kernel {
             outputs: outputs.collect(),
-            temporaries: kept.iter().map(|n| self.temporaries[*n].clone()).collect(),
+            temporaries: kept
+                .iter()
+                .map(|n| self.temporaries[*n].renamed(renumbered))
+                .collect(),
             ..self
         };
         let divides = |poly: &Poly| {

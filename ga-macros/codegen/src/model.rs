@@ -42,6 +42,8 @@ pub struct Type {
     pub name: Ident,
     /// Whether its values are unit versors by declaration.
     pub unit: bool,
+    /// Whether its values square to 0 by declaration.
+    pub null: bool,
     /// Its coefficients in the order of declaration.
     pub slots: Vec<Slot>,
 }
@@ -95,6 +97,12 @@ impl Type {
     /// Whether any coefficient is fixed at compile time.
     pub fn has_fixed(&self) -> bool {
         self.slots.iter().any(|slot| slot.fixed.is_some())
+    }
+
+    /// Whether only some of the elements with its blades are values of the type, so that sums and
+    /// multiples are of another one.
+    pub fn is_constrained(&self) -> bool {
+        self.null || self.has_fixed()
     }
 
     /// Whether any coefficient is fixed at a value that is no integer.

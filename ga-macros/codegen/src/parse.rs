@@ -9,8 +9,9 @@
 //!             | "types"    "{" { type } "}"
 //!             | "products" "{" [ name { "," name } [ "," ] ] "}" ;
 //! entry       = name "^" "2" "=" number | name "." name "=" number ;
-//! type        = { attribute } Name ( "{" [ coefficient { "," coefficient } [ "," ] ] "}" [ "," ]
-//!                                  | "=" ( "grade" integer | "even" | "odd" | "all" ) ";" ) ;
+//! type        = { attribute | "#[unit]" | "#[null]" }
+//!               Name ( "{" [ coefficient { "," coefficient } [ "," ] ] "}" [ "," ]
+//!                    | "=" ( "grade" integer | "even" | "odd" | "all" ) ";" ) ;
 //! coefficient = blade [ "=" number ] ;
 //! blade       = "1" | name { "^" name } ;                    (* e12, e1^ni, e31, e12ni *)
 //! number      = [ "-" ] ( integer [ "/" integer ] | decimal ) ;
@@ -20,6 +21,9 @@
 //! without `metric` they are orthonormal, positive squares first, then negative, then zero;
 //! metric entries not written are 0; without `types` there is one type per grade; without
 //! `products` there are all, and the geometric product is there in any case.
+//!
+//! `#[unit]` promises `V Ṽ = 1` of every value of a type, `#[null]` promises `x² = 0`; applications
+//! rely on it, products never claim it of their results.
 
 mod number;
 mod section;

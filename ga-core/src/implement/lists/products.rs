@@ -4,6 +4,17 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! unrolled {
+    (impl<T: $Bound:ident> ApplyUnit for $Left:ident<T> {$(
+        $(#[$doc:meta])*
+        fn $method:ident($this:ident, $multiple:ident: $Multiple:ty, $argument:ident: $Right:ty) -> $Output:ty $body:block
+    )*}) => {$(
+        impl<T: $Bound> ApplyUnit<$Right> for $Left<T> {
+            type Image = $Output;
+            $(#[$doc])*
+            #[inline]
+            fn $method($this, $multiple: $Multiple, $argument: $Right) -> $Output $body
+        }
+    )*};
     (impl<T: $Bound:ident> $Trait:ident for $Left:ident<T> {$(
         $(#[$doc:meta])*
         fn $method:ident($this:ident, $argument:ident: $Right:ty) -> $Output:ty $body:block

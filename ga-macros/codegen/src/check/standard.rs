@@ -30,6 +30,7 @@ fn standard_type(name: &str, masks: &[u32], names: &[String]) -> Type {
         attributes: Vec::new(),
         name: Ident::new(name, Span::call_site()),
         unit: false,
+        null: false,
         slots: masks.iter().map(|&mask| slot(mask, names)).collect(),
     }
 }
@@ -62,7 +63,7 @@ pub fn keeps_meaning(kind: &Type, dimension: usize, errors: &mut Errors) {
         }
         let mut own: Vec<u32> = kind.slots.iter().map(|slot| slot.mask).collect();
         own.sort_by_key(|mask| (mask.count_ones(), *mask));
-        if own != masks || kind.has_fixed() {
+        if own != masks || kind.is_constrained() {
             let mistake = Mistake::MisusedName {
                 name: name.into(),
                 meaning: meaning.into(),

@@ -19,6 +19,7 @@ pub fn declared(algebra: &Algebra, names: &[String], errors: &mut Errors) -> Vec
             attributes: declaration.attributes.clone(),
             name: declaration.name.clone(),
             unit: declaration.unit,
+            null: declaration.null,
             slots: slots(algebra, declaration, names, errors),
         };
         if kind.unit && kind.parity().is_none() {
@@ -241,16 +242,16 @@ fn spans_of(kind: &Type, algebra: &Algebra) -> Spans {
     }
 }
 
-/// A type with fixed coefficients has a type that its sums widen to.
+/// A type with fixed coefficients or of null elements has a type that its sums widen to.
 pub fn have_sums(types: &[Type], dimension: usize, errors: &mut Errors) {
     if dimension <= COMPLETE_LIMIT {
         return; // `Even`, `Odd` and `Multivector` are there.
     }
     let holds = |other: &Type, kind: &Type| {
         let mut slots = kind.slots.iter();
-        !other.has_fixed() && slots.all(|slot| other.slot(slot.mask).is_some())
+        !other.is_constrained() && slots.all(|slot| other.slot(slot.mask).is_some())
     };
-    for kind in types.iter().filter(|kind| kind.has_fixed()) {
+    for kind in types.iter().filter(|kind| kind.is_constrained()) {
         if !types.iter().any(|other| holds(other, kind)) {
             let blades: Vec<&str> = kind.slots.iter().map(|slot| slot.field.as_str()).collect();
             let mistake = Mistake::FixedCannotBeKept {

@@ -8,6 +8,7 @@ use super::expression::{Names, code, doc, documentation};
 use super::unrolled;
 use crate::closure;
 use crate::factor::Kernel;
+use crate::model::Type;
 use crate::poly::{Element, Poly};
 
 impl Generator<'_> {
@@ -40,7 +41,8 @@ pub fn conveniences(generator: &mut Generator<'_>) {
             let sums: Vec<String> = (0..count)
                 .filter(|&b| b != a)
                 .filter(|&b| {
-                    let fixed = generator.kind(a).has_fixed() || generator.kind(b).has_fixed();
+                    let fixed =
+                        generator.kind(a).is_constrained() || generator.kind(b).is_constrained();
                     fixed == (bound == "Field")
                 })
                 .filter_map(|b| {
@@ -60,6 +62,11 @@ pub fn conveniences(generator: &mut Generator<'_>) {
     generator.source.push_str(&source);
 }
 
+/// Whether every value of the first type, given as its general element, is one of the second.
+fn is_value(from: &Type, into: &Type, general: &Element) -> bool {
+    closure::fits(into, general) && (from.null || !into.null)
+}
+
 /// Emits `From` for every pair in which the second type holds all values of the first, and
 /// `TryFrom` the other way.
 pub fn conversions(generator: &mut Generator<'_>) {
@@ -71,7 +78,7 @@ pub fn conversions(generator: &mut Generator<'_>) {
         let names = Names::new(generator.kind(a), None);
         let mut narrower = Vec::new();
         for b in (0..count).filter(|&b| b != a) {
-            if closure::holds(generator.kind(b), element) {
+            if is_value(generator.kind(a), generator.kind(b), element) {
                 let kernel = Kernel::expanded(generator.onto_fields(b, element));
                 let fields: Vec<String> = generator
                     .kind(b)
@@ -97,7 +104,11 @@ pub fn conversions(generator: &mut Generator<'_>) {
                     doc(&documentation),
                     fields.join(", ")
                 );
-                let back = closure::holds(generator.kind(a), &generator.general[b][0]);
+                let back = is_value(
+                    generator.kind(b),
+                    generator.kind(a),
+                    &generator.general[b][0],
+                );
                 if !back {
                     narrower.push(into);
                 }

@@ -5,37 +5,47 @@ use std::fmt::Write;
 use ga_core::Rational;
 use num_traits::{One, ToPrimitive};
 
-use crate::factor::{Cost, Kernel, RECIPROCAL, by_factor};
+use crate::factor::{Cost, Kernel, MULTIPLE, RECIPROCAL, by_factor};
 use crate::model::Type;
 use crate::poly::{Monomial, Poly, Variable};
 
 /// How the operands of a kernel are called.
 #[derive(Clone)]
 pub struct Names<'a> {
-    /// The types of `self` and of the argument.
-    pub operands: [Option<&'a Type>; 2],
+    /// The types of `self`, of the argument, and of the multiple `w` of a versor.
+    pub operands: [Option<&'a Type>; 3],
     /// The name of the argument, `b` or `x`.
     pub argument: &'static str,
     /// Which operands are taken apart into one variable per field, `a_e1`, at the start.
-    unpacked: [bool; 2],
+    unpacked: [bool; 3],
 }
+
+/// The operands that [`Names`] names, in its order.
+const NAMED: [u8; 3] = [0, 1, MULTIPLE];
 
 impl<'a> Names<'a> {
     /// Operands `self` and, where there is one, an argument of this name.
     pub fn new(receiver: &'a Type, argument: Option<(&'static str, &'a Type)>) -> Self {
         let name = argument.map_or("b", |(name, _)| name);
-        let operands = [Some(receiver), argument.map(|(_, kind)| kind)];
+        let operands = [Some(receiver), argument.map(|(_, kind)| kind), None];
         Names {
             operands,
             argument: name,
-            unpacked: [false; 2],
+            unpacked: [false; 3],
         }
+    }
+
+    /// The same with the multiple `w` of a versor.
+    pub fn with_multiple(mut self, kind: &'a Type) -> Self {
+        self.operands[2] = Some(kind);
+        self
     }
 }
 
 impl Names<'_> {
     fn field(&self, variable: Variable) -> Option<&str> {
-        let kind = self.operands.get(usize::from(variable.operand))?.as_ref()?;
+        let place = NAMED.iter().position(|own| *own == variable.operand)?;
+        let kind = self.operands[place]?;
         kind.slots
             .get(usize::from(variable.slot))
             .map(|slot| slot.field.as_str())
@@ -47,6 +57,8 @@ impl Names<'_> {
             (0, Some(field)) => format!("self.{field}"),
             (1, Some(field)) if self.unpacked[1] => format!("{}_{field}", self.argument),
             (1, Some(field)) => format!("{}.{field}", self.argument),
+            (MULTIPLE, Some(field)) if self.unpacked[2] => format!("w_{field}"),
+            (MULTIPLE, Some(field)) => format!("w.{field}"),
             (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
@@ -56,6 +68,7 @@ impl Names<'_> {
         match (variable.operand, self.field(variable)) {
             (0, Some(field)) => format!("a.{field}"),
             (1, Some(field)) => format!("{}.{field}", self.argument),
+            (MULTIPLE, Some(field)) => format!("w.{field}"),
             (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
@@ -265,8 +278,8 @@ pub fn body(kernel: &Kernel, result: Option<&Type>, names: &Names<'_>) -> String
 /// Takes an operand apart where its fields occur so often that the body becomes shorter.
 fn unpack(kernel: &Kernel, names: &mut Names<'_>) -> String {
     let mut text = String::new();
-    for operand in 0..2_u8 {
-        let Some(kind) = names.operands[usize::from(operand)] else {
+    for (place, operand) in NAMED.into_iter().enumerate() {
+        let Some(kind) = names.operands[place] else {
             continue;
         };
         let polys = kernel.polynomials();
@@ -281,6 +294,7 @@ fn unpack(kernel: &Kernel, names: &mut Names<'_>) -> String {
         }
         let (prefix, value) = match operand {
             0 => ("a", "self"),
+            MULTIPLE => ("w", "w"),
             _ => (names.argument, names.argument),
         };
         let fields: Vec<String> = kind
@@ -294,7 +308,7 @@ fn unpack(kernel: &Kernel, names: &mut Names<'_>) -> String {
             })
             .collect();
         let _ = writeln!(text, "let [{}] = {value}.to_array();", fields.join(", "));
-        names.unpacked[usize::from(operand)] = true;
+        names.unpacked[place] = true;
     }
     text
 }

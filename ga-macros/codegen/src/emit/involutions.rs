@@ -117,7 +117,13 @@ fn linear(
     method: &str,
     doc: &str,
 ) {
-    let same = closure::holds(generator.kind(a), image);
+    // Involutions keep a square of 0, duals and complements need not.
+    let kind = generator.kind(a);
+    let keeps = Involution::ALL.iter().any(|own| own.method() == method);
+    let same = match keeps {
+        true => closure::fits(kind, image),
+        false => closure::holds(kind, image),
+    };
     let Some(result) = same
         .then_some(a)
         .or_else(|| closure::smallest(generator.model, image))

@@ -185,6 +185,7 @@ fn emit_unrolled(
         trait_name: product.trait_name(),
         method: product.method(),
         bound: unrolled::bound(&kernel),
+        between: None,
         argument: ("b", &right),
         output: &output,
         documentation: &documentation,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ga_core::Rational;
+use ga_core::{Product, Rational};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -73,6 +73,11 @@ fn type_documentation(kind: &Type) -> String {
              `normalized` restores.",
         );
     }
+    if kind.null {
+        text.push_str(
+            " A null element by declaration: `x² = 0`, which `apply` relies on and narrowing checks.",
+        );
+    }
     text
 }
 
@@ -128,6 +133,36 @@ pub fn module_documentation(model: &Model, is_first: bool) -> TokenStream {
     quote!(#[doc = #text])
 }
 
+/// The square of a type declared null: by blade, terms of two positions among the fields, that
+/// after the last for 1, and a factor.
+fn null(generator: &Generator<'_>, index: usize, source: &mut String) {
+    let kind = generator.kind(index);
+    let (element, fields) = (&generator.general[index][0], kind.field_count());
+    let square = generator
+        .tables
+        .product(Product::Geometric, element, element);
+    let place = |slot: u16| {
+        let before = kind.slots[..usize::from(slot)].iter();
+        before.filter(|slot| slot.fixed.is_none()).count()
+    };
+    source.push_str(" null {");
+    for (mask, form) in square {
+        let _ = write!(source, "{mask} [");
+        for (monomial, value) in form.terms() {
+            let mut places: Vec<usize> = monomial.variables().map(|v| place(v.slot)).collect();
+            places.resize(2, fields);
+            let (numerator, denominator) = (value.numer(), value.denom());
+            let _ = write!(
+                source,
+                "({}, {}, {numerator}, {denominator})",
+                places[0], places[1]
+            );
+        }
+        source.push_str("] ");
+    }
+    source.push('}');
+}
+
 /// What every type has: arithmetic, arrays, formatting, operators and the optional traits.
 pub fn elements(generator: &mut Generator<'_>) {
     let mut source = String::new();
@@ -164,7 +199,11 @@ pub fn elements(generator: &mut Generator<'_>) {
                 );
             }
         }
-        source.push_str("} }\n");
+        source.push('}');
+        if kind.null {
+            null(generator, i, &mut source);
+        }
+        source.push_str(" }\n");
     }
     if let Some(all) = generator
         .model

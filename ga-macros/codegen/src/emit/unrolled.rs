@@ -21,6 +21,8 @@ pub struct Function<'a> {
     pub method: &'static str,
     /// The bound on the numbers.
     pub bound: &'static str,
+    /// The name and the type of an operand between the two.
+    pub between: Option<(&'static str, &'a str)>,
     /// The name and the type of the second operand.
     pub argument: (&'static str, &'a str),
     /// The type of the result, with its parameter.
@@ -54,13 +56,15 @@ impl Lists {
             trait_name,
             method,
             bound,
+            between,
             argument: (argument, right),
             output,
             documentation,
             body,
         } = function;
+        let between = between.map_or(String::new(), |(name, kind)| format!("{name}: {kind}<T>, "));
         let text = format!(
-            "{} fn {method}(self, {argument}: {right}<T>) -> {output} {{ {body} }}\n",
+            "{} fn {method}(self, {between}{argument}: {right}<T>) -> {output} {{ {body} }}\n",
             expression::doc(documentation)
         );
         let mut known = self.lists.iter_mut();

@@ -350,6 +350,11 @@ impl fmt::Display for Mistake {
                 f,
                 "`{name}` mixes even and odd blades and cannot be a versor; remove `#[unit]`"
             ),
+            NeverNull(name) => write!(
+                f,
+                "`{name}` has no values but zero that square to 0; remove `#[null]`, or add blades \
+                 of the opposite square"
+            ),
             TypeTooLarge {
                 name,
                 fields,
@@ -393,7 +398,7 @@ impl fmt::Display for Mistake {
             UnsupportedAttribute(name) => write!(
                 f,
                 "`#[{name}]` is not allowed here; a type takes doc comments, `#[unit]`, \
-                 `#[deprecated]`, `#[must_use]`, `#[allow]` and `#[expect]`"
+                 `#[null]`, `#[deprecated]`, `#[must_use]`, `#[allow]` and `#[expect]`"
             ),
         }
     }

@@ -174,6 +174,8 @@ pub enum Mistake {
     GradeTooLarge { grade: String, dimension: usize },
     /// `#[unit]` on a type that mixes even and odd blades.
     UnitMixedParity(String),
+    /// `#[null]` on a type of whose values none, or zero alone, squares to 0.
+    NeverNull(String),
     /// A type with more fields than the macro unrolls.
     TypeTooLarge {
         name: String,
@@ -240,6 +242,7 @@ impl Mistake {
                 | MisusedName { .. }
                 | GradeTooLarge { .. }
                 | UnitMixedParity(_)
+                | NeverNull(_)
                 | TypeTooLarge { .. }
                 | FixedCannotBeKept { .. }
                 | Overflow

@@ -37,7 +37,7 @@ fn skip_past_type(content: ParseStream<'_>) {
 }
 
 fn parse_type(content: ParseStream<'_>, errors: &mut Errors) -> Option<TypeDeclaration> {
-    let (attributes, unit) = parse_attributes(content, errors);
+    let (attributes, promises) = parse_attributes(content, errors);
     skip_leading_words(content, errors);
     if let Some(name) = section_ahead(content) {
         errors.push(content.span(), Mistake::SectionAmongTypes(name));
@@ -71,7 +71,8 @@ fn parse_type(content: ParseStream<'_>, errors: &mut Errors) -> Option<TypeDecla
     };
     Some(TypeDeclaration {
         attributes,
-        unit,
+        unit: promises.unit,
+        null: promises.null,
         name,
         content: blades,
     })
@@ -159,15 +160,27 @@ fn parse_definition(name: &Ident, content: ParseStream<'_>, errors: &mut Errors)
     parsed
 }
 
-/// The attributes to pass on, and whether `#[unit]` was among them.
-fn parse_attributes(content: ParseStream<'_>, errors: &mut Errors) -> (Vec<Attribute>, bool) {
-    let mut unit = false;
+/// What the attributes of a type promise of its values.
+#[derive(Default)]
+struct Promises {
+    /// `#[unit]`.
+    unit: bool,
+    /// `#[null]`.
+    null: bool,
+}
+
+/// The attributes to pass on, and what the others promise.
+fn parse_attributes(content: ParseStream<'_>, errors: &mut Errors) -> (Vec<Attribute>, Promises) {
+    let mut promises = Promises::default();
     let mut attributes = Vec::new();
     let written = super::parse_attributes(content, errors);
     for attribute in written {
         let path = attribute.path();
-        if path.is_ident("unit") && attribute.meta.require_path_only().is_ok() {
-            unit = true;
+        let alone = attribute.meta.require_path_only().is_ok();
+        if path.is_ident("unit") && alone {
+            promises.unit = true;
+        } else if path.is_ident("null") && alone {
+            promises.null = true;
         } else if PASSED_ON.iter().any(|allowed| path.is_ident(allowed)) {
             attributes.push(attribute);
         } else {
@@ -179,7 +192,7 @@ fn parse_attributes(content: ParseStream<'_>, errors: &mut Errors) -> (Vec<Attri
             errors.push(span, Mistake::UnsupportedAttribute(name));
         }
     }
-    (attributes, unit)
+    (attributes, promises)
 }
 
 /// Words for a set that has another name here.

@@ -1,22 +1,49 @@
-//! Versor application: `V x̂ Ṽ` restricted to the grades of `x`, by the cheapest form known.
+//! Versor application: `V x̂ Ṽ` restricted to the grades of `x`, by the cheapest form known; one
+//! body serves the versors that are unit and those that are divided by their norm.
 
 mod derivation;
 mod duality;
 mod kernels;
+mod null;
 
 use std::fmt::Write;
 
 use self::derivation::{Application, application, is_unit};
 use self::duality::{Duality, HandedOn};
+use self::kernels::multiples_read;
 use super::{geometric_product, product_cost};
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
 use crate::emit::unrolled::{self, Function, Lists};
 use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
+use crate::model::Type;
 
-/// What `V⁻¹` takes beside the multiplications and additions.
-const DIVISION: &str = " A division besides.";
+/// What an application costs.
+#[derive(Clone, Copy)]
+pub struct Costs {
+    /// Of a unit versor.
+    unit: Cost,
+    /// Of any versor whose inverse is known.
+    with: Cost,
+    /// Of any versor, a division besides; `None` for types that are unit by declaration.
+    divided: Option<Cost>,
+}
+
+impl Costs {
+    /// The costs as sentences.
+    fn sentence(costs: Option<Costs>) -> String {
+        let sentence = costs.map(|costs| match costs.divided {
+            None => format!(" Cost: at most {}.", expression::counts(costs.unit)),
+            Some(divided) => format!(
+                " Cost of a unit versor: at most {}; of any other: {}, 1 division.",
+                expression::counts(costs.unit),
+                expression::counts(divided)
+            ),
+        });
+        sentence.unwrap_or_default()
+    }
+}
 
 /// Emits sandwiches and applications of every type of one parity on every type.
 pub fn applications(generator: &mut Generator<'_>) {
@@ -48,17 +75,38 @@ struct Versor {
     /// What the squared norm costs; `None` for a type of null elements only, such as a
     /// direction, which has sandwiches but is no versor.
     norm_cost: Option<Cost>,
+    /// The type of its multiples.
+    multiple: usize,
+}
+
+impl Versor {
+    /// The costs of an application whose unit form costs so much, and any other that much more:
+    /// with a known inverse, and without.
+    fn costs(&self, unit: Cost, [known, more]: [Cost; 2]) -> Costs {
+        Costs {
+            unit,
+            with: unit + known,
+            divided: (!self.unit).then_some(unit + more),
+        }
+    }
 }
 
 fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usize, even: bool) {
     let norm = super::norm_polynomial(generator, v);
-    let invertible = !norm.is_zero();
+    // Of one grade, V Ṽ is the square up to sign.
+    let kind = generator.kind(v);
+    let null = kind.null && kind.grades().is_power_of_two();
+    let invertible = !norm.is_zero() && !null;
     let versor = Versor {
         index: v,
         unit: is_unit(generator, v),
         norm_cost: invertible.then(|| Kernel::expanded(vec![norm]).cost()),
+        multiple: generator.sums[v].unwrap_or(v),
     };
     let name = generator.name(v);
+    if invertible {
+        declare(generator, &versor);
+    }
     let mut emission = Emission {
         unrolled: Lists::new(name.clone()),
         composed: Vec::new(),
@@ -85,36 +133,82 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
         };
         match handed_on {
             Some(handed_on) => {
-                hand_on(generator, &mut emission, types, &handed_on);
-                duality.note(types, handed_on.output, handed_on.cost);
+                hand_on(generator, &mut emission, x, &handed_on);
+                record(
+                    generator,
+                    types,
+                    handed_on.output,
+                    handed_on.costs,
+                    handed_on.rule,
+                );
+                duality.note(types, handed_on.output, handed_on.costs);
             }
             None => {
-                let divided = sandwich_cost.map(|cost| match versor.unit {
-                    true => cost,
-                    false => {
-                        let fields = generator.kind(application.applied).field_count();
-                        cost + norm_cost + Cost::multiplying(fields)
-                    }
-                });
-                let cost = apply(generator, &mut emission, &versor, x, &application, divided);
-                duality.note(types, application.applied, cost);
+                let fields = generator.kind(application.applied).field_count();
+                let more = norm_cost + Cost::multiplying(fields);
+                let by_sandwich = sandwich_cost.map(|cost| versor.costs(cost, [more; 2]));
+                let costs = apply(
+                    generator,
+                    &mut emission,
+                    &versor,
+                    x,
+                    &application,
+                    by_sandwich,
+                );
+                duality.note(types, application.applied, costs);
             }
         }
     }
     emission.unrolled.write(&mut generator.source);
     let parity = if even { "even" } else { "odd" };
-    let norm = if versor.unit { "unit" } else { "divided" };
+    let applied = match versor.unit {
+        true => format!("application! {{ {name} Field unit:"),
+        false => {
+            let multiple = generator.name(versor.multiple);
+            format!("application! {{ {name} {multiple} divided:")
+        }
+    };
+    let sign = Duality::sign(generator);
     for (list, head) in [
         (
             emission.composed,
             format!("composed_sandwich! {{ {name} {parity}:"),
         ),
-        (emission.applied, format!("application! {{ {name} {norm}:")),
-        (emission.handed_on, format!("dual_application! {{ {name}:")),
+        (emission.applied, applied),
+        (
+            emission.handed_on,
+            format!("dual_application! {{ {name} {sign}:"),
+        ),
     ] {
         if !list.is_empty() {
             let _ = writeln!(generator.source, "algebra::{head} {} }}", list.join(", "));
         }
+    }
+}
+
+/// Emits what all applications of a versor type have in common.
+fn declare(generator: &mut Generator<'_>, versor: &Versor) {
+    let kind = generator.kind(versor.index);
+    let name = generator.name(versor.index);
+    let rule = match (versor.unit, kind.has_fixed()) {
+        (false, _) => format!("divided {}", generator.name(versor.multiple)),
+        (true, false) => "promised".to_owned(),
+        (true, true) => "fixed".to_owned(),
+    };
+    let number = number_of(kind);
+    let _ = writeln!(
+        generator.source,
+        "algebra::versor! {{ {name} {number} {rule} }}"
+    );
+}
+
+/// The bound on the numbers of a versor type: fractions among its fixed coefficients ask for a
+/// field.
+fn number_of(kind: &Type) -> &'static str {
+    if kind.has_fractions() {
+        "Field"
+    } else {
+        "Number"
     }
 }
 
@@ -149,66 +243,140 @@ fn sandwich(
     cost
 }
 
-/// Emits `V x̂ V⁻¹`; gives what it costs, where that is known.
+/// Emits the application of a type; gives what it costs, where that is known.
 fn apply(
     generator: &mut Generator<'_>,
     emission: &mut Emission,
     versor: &Versor,
     x: usize,
     application: &Application,
-    divided: Option<Cost>,
-) -> Option<Cost> {
+    by_sandwich: Option<Costs>,
+) -> Option<Costs> {
+    let types = [versor.index, x];
     if let Some(kernel) = &application.applied_kernel {
-        let doc = "The versor applied to `x`, `V x̂ V⁻¹` (2.28).";
-        let names = ["Apply", "apply"];
-        let types = [versor.index, x, application.applied];
-        emit_kernel(generator, &mut emission.unrolled, types, names, kernel, doc);
-        return Some(kernel.cost());
+        let list = &mut emission.unrolled;
+        let costs = emit_application(generator, list, versor, x, application.applied, kernel);
+        record(
+            generator,
+            types,
+            application.applied,
+            Some(costs),
+            kernel.form,
+        );
+        return Some(costs);
     }
-    let fixed = !versor.unit && generator.kind(application.applied).has_fixed();
-    if application.applied != application.sandwich || fixed {
-        emit_kept(generator, versor.index, x, application, divided);
-        return divided;
-    }
-    let summary = match versor.unit {
-        true => "The unit versor applied to `x`, `V x̂ Ṽ` (2.28).",
-        false => "The versor applied to `x`, `V x̂ V⁻¹` (2.28): the sandwich over the norm.",
+    let form = match &application.sandwich_kernel {
+        Some(kernel) => kernel.form,
+        None => "(V x) Ṽ as two products",
     };
-    let division = if versor.unit { "" } else { DIVISION };
-    let doc = format!(" {summary}{}{division}", expression::cost_sentence(divided));
-    emission
-        .applied
-        .push(format!("{} {doc:?}", generator.name(x)));
-    divided
+    record(generator, types, application.applied, by_sandwich, form);
+    let (operand, output) = (generator.name(x), generator.name(application.applied));
+    let cost = Costs::sentence(by_sandwich);
+    emission.applied.push(if versor.unit {
+        let doc = format!(" The unit versor applied to `x`, `V x̂ Ṽ` (2.28).{cost}");
+        format!("{operand} {doc:?}")
+    } else {
+        let doc = format!(
+            " The versor applied to `x` (2.28): the sandwich, over the norm of a versor that is \
+             not unit.{cost}"
+        );
+        format!("{operand} => {output} {doc:?}")
+    });
+    by_sandwich
+}
+
+/// Notes what the application of a type costs, with and without the promise of being unit.
+fn record(
+    generator: &mut Generator<'_>,
+    [v, x]: [usize; 2],
+    output: usize,
+    costs: Option<Costs>,
+    form: &str,
+) {
+    let (versor, operand) = (generator.name(v), generator.name(x));
+    let (result, kind) = (generator.name(output), generator.kind(output));
+    let fields = kind.field_count();
+    let mut entry = |function: String, cost: Option<Cost>| {
+        generator.ledger.entries.push(Entry {
+            function,
+            result: result.clone(),
+            cost,
+            fields,
+            form: form.to_owned(),
+        });
+    };
+    match costs.map(|costs| (costs.unit, costs.divided)) {
+        None => entry(format!("{versor}.apply({operand})"), None),
+        Some((unit, None)) => entry(format!("{versor}.apply({operand})"), Some(unit)),
+        Some((unit, Some(divided))) => {
+            entry(format!("{versor}.apply({operand})"), Some(divided));
+            entry(format!("Unit<{versor}>.apply({operand})"), Some(unit));
+        }
+    }
+}
+
+/// Emits the body of an application, for whatever multiple of the versor is its inverse; gives
+/// what it costs.
+fn emit_application(
+    generator: &mut Generator<'_>,
+    lists: &mut Lists,
+    versor: &Versor,
+    x: usize,
+    result: usize,
+    kernel: &Kernel,
+) -> Costs {
+    generator.check(kernel);
+    let kind = generator.kind(versor.index);
+    let names = Names::new(kind, Some(("x", generator.kind(x))))
+        .with_multiple(generator.kind(versor.multiple));
+    let read = multiples_read(kernel);
+    let norm = versor.norm_cost.filter(|_| read > 0);
+    let more = norm.unwrap_or_default() + Cost::multiplying(read);
+    let costs = versor.costs(kernel.cost(), [Cost::default(), more]);
+    let division = if read > 0 { ", 1 division" } else { "" };
+    let summary = format!(
+        "The versor applied to `x` (2.28): `V x̂ W̃`, where `w` is the versor itself if that is \
+         unit. Of any other it is `V/(V Ṽ)`, and the cost is {}{division}.",
+        expression::counts(kernel.cost() + more)
+    );
+    let output = generator.kind(result);
+    let documentation = expression::documentation(&summary, kernel, Some(output), &names);
+    let body = expression::body(kernel, Some(output), &names);
+    let bound = match number_of(kind) {
+        "Field" => "Field",
+        _ => unrolled::bound(kernel),
+    };
+    lists.push(&Function {
+        trait_name: "ApplyUnit",
+        method: "apply_with",
+        bound,
+        between: Some((
+            if read > 0 { "w" } else { "_w" },
+            &generator.name(versor.multiple),
+        )),
+        argument: ("x", &generator.name(x)),
+        output: &format!("{}<T>", output.name),
+        documentation: &documentation,
+        body: &body,
+    });
+    costs
 }
 
 /// Emits an application that duality hands on to another one.
-fn hand_on(
-    generator: &mut Generator<'_>,
-    emission: &mut Emission,
-    [v, x]: [usize; 2],
-    handed_on: &HandedOn,
-) {
-    let (versor, operand) = (generator.name(v), generator.name(x));
+fn hand_on(generator: &Generator<'_>, emission: &mut Emission, x: usize, handed_on: &HandedOn) {
+    let operand = generator.name(x);
     let [base_versor, base_operand] = handed_on.base.map(|index| generator.name(index));
     let output = generator.name(handed_on.output);
     let doc = format!(
-        " The versor applied to `x`, `V x̂ V⁻¹` (2.28), by duality from \
-         `{base_versor}.apply({base_operand})`: `{}`.{}{DIVISION}",
+        " The versor applied to `x` (2.28), by duality from \
+         `{base_versor}.apply({base_operand})`: `{}`.{}",
         handed_on.rule,
-        expression::cost_sentence(handed_on.cost)
+        Costs::sentence(handed_on.costs)
     );
     let form = handed_on.form;
     emission
         .handed_on
         .push(format!("{form} {operand} => {output} {doc:?}"));
-    generator.record(Entry {
-        function: format!("{versor}.apply({operand})"),
-        fields: generator.kind(handed_on.output).field_count(),
-        result: output,
-        cost: handed_on.cost,
-        form: handed_on.rule.to_owned(),
-    });
 }
 
 /// What a sandwich of two products costs at most; blades that the operand's grades leave out are
@@ -237,6 +405,7 @@ fn emit_kernel(
         trait_name,
         method,
         bound: unrolled::bound(kernel),
+        between: None,
         argument: ("x", &operand),
         output: &format!("{output}<T>"),
         documentation: &documentation,
@@ -249,45 +418,4 @@ fn emit_kernel(
         fields,
         form: kernel.form.to_owned(),
     });
-}
-
-/// An application whose result is not simply the sandwich over the norm: `V x̂ V⁻¹` keeps fixed
-/// coefficients that `V x̂ Ṽ` does not, or the other way round.
-fn emit_kept(
-    generator: &mut Generator<'_>,
-    v: usize,
-    x: usize,
-    sandwich: &Application,
-    cost: Option<Cost>,
-) {
-    let (versor, operand) = (generator.name(v), generator.name(x));
-    let applied = sandwich.applied;
-    let image = generator.kind(sandwich.sandwich);
-    let names = Names::new(generator.kind(v), Some(("y", image)));
-    let fields: Vec<String> = generator
-        .kind(applied)
-        .fields()
-        .zip(generator.onto_fields(applied, &generator.general[sandwich.sandwich][1]))
-        .map(|(slot, poly)| {
-            let value = match poly.is_zero() {
-                true => "T::ZERO".to_owned(),
-                false => format!("({}) * f", expression::code(&poly, &names)),
-            };
-            format!("{}: {value}", slot.field)
-        })
-        .collect();
-    let output = generator.name(applied);
-    let documentation = format!(
-        " The versor applied to `x`, `V x̂ V⁻¹` (2.28), which keeps the fixed coefficients: the \
-         others of the sandwich over the norm.{}{DIVISION}",
-        expression::cost_sentence(cost)
-    );
-    let _ = writeln!(
-        generator.source,
-        "impl<T: Field> Apply<{operand}<T>> for {versor}<T> {{ type Output = {output}<T>; \
-         #[doc = {documentation:?}] #[inline] fn apply(self, x: {operand}<T>) -> {output}<T> {{ \
-         let y = self.sandwich(x); let f = T::ONE / self.norm_squared(); \
-         {output} {{ {} }} }} }}",
-        fields.join(", ")
-    );
 }

@@ -3,11 +3,12 @@
 
 use ga_core::Product;
 
-use super::kernels::{cheaper, divided_by_norm, moving, named, onto};
+use super::kernels::{cheaper, moving, multiple, named, onto};
+use super::null::{eliminated, squared};
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::versors::inverse::parity_type;
-use crate::emit::versors::{norm_polynomial, reversed};
+use crate::emit::versors::reversed;
 use crate::factor::Kernel;
 use crate::model::Type;
 use crate::poly::{Element, Monomial, Poly, Variable, graded_signs, sum};
@@ -29,7 +30,8 @@ pub struct Application {
     pub sandwich_kernel: Option<Kernel>,
     /// The type of `V x̂ V⁻¹`, where fixed coefficients may be kept.
     pub applied: usize,
-    /// The body of the application, where it is not the sandwich itself.
+    /// The body of the application, given the multiple of the versor whose reverse is the inverse;
+    /// where it is not the sandwich itself.
     pub applied_kernel: Option<Kernel>,
 }
 
@@ -92,12 +94,13 @@ pub fn application(
     let whole = restricted(&first, &back);
     let moved = sum(operand, &restricted(&difference, &back), 1);
     let pick = |element: &Element| {
-        let same = closure::holds(kind, element);
+        // Versors keep a square of 0.
+        let same = closure::fits(kind, element);
         same.then_some(x)
             .or_else(|| closure::smallest(model, element))
     };
     // Whether the operand's fixed coefficients stay, is seen from x + (V x̂ − x V) V⁻¹ alone.
-    let keeps = kind.has_fixed() && closure::holds(kind, &moved);
+    let keeps = kind.is_constrained() && closure::fits(kind, &moved);
     let whole_type = pick(&whole)?;
     let applied = match (keeps, unit) {
         (true, _) => x,
@@ -118,9 +121,14 @@ pub fn application(
         false => usize::MAX,
     };
     let short = |kernel: Kernel| Some(kernel).filter(|kernel| kernel.terms() <= limit);
+    let shortened = |kernel: Kernel| match applied == x {
+        true => eliminated(generator, x, kernel),
+        false => kernel,
+    };
     if unit {
         let kernel = moving(generator, applied, &difference, &back, operand, &whole);
         let expanded = Kernel::expanded(generator.onto_fields(applied, &moved));
+        let (kernel, expanded) = (shortened(kernel), shortened(expanded));
         return Some(Application {
             sandwich: applied,
             sandwich_kernel: short(cheaper(expanded, kernel)),
@@ -128,20 +136,32 @@ pub fn application(
             applied_kernel: None,
         });
     }
-    // V⁻¹ = Ṽ / (V Ṽ): the reverse is divided once, and the rest is as for a unit versor.
-    let applied_kernel = if looks_like_versor(generator.kind(v)) {
-        let (divided, temporaries) = divided_by_norm(&back, difference.len());
-        let mut kernel = moving(generator, applied, &difference, &divided, operand, &whole);
-        kernel.divisor = Some(norm_polynomial(generator, v));
-        kernel.temporaries.extend(temporaries);
-        short(kernel.without_unused())
-    } else {
-        None
-    };
+    // V⁻¹ = W̃ with W = V of a unit versor and W = V/(V Ṽ) of any other: one body for both.
+    let multiples = generator.sums[v].filter(|_| looks_like_versor(generator.kind(v)));
+    let applied_kernel = multiples.and_then(|multiples| {
+        let inverse = reversed(&multiple(generator, [v, multiples]));
+        let kernel = moving(generator, applied, &difference, &inverse, operand, &whole);
+        short(shortened(kernel))
+    });
+    // The square of a spinor needs no inverse, and its result is divided where the versor is not
+    // unit.
+    let spinor = squared(generator, [v, x], even, whole_type).filter(|_| applied == whole_type);
+    let spinor = spinor.filter(|spinor| {
+        let other = applied_kernel.as_ref().map(Kernel::cost);
+        other.is_none_or(|other| spinor.cost() < other)
+    });
+    if let Some(spinor) = spinor.and_then(short) {
+        return Some(Application {
+            sandwich: whole_type,
+            sandwich_kernel: Some(spinor),
+            applied,
+            applied_kernel: None,
+        });
+    }
     // In large algebras one unrolled body per pair has to do.
     let small = model.types.len() <= SMALL_ALGEBRA;
     let sandwich_kernel = if applied_kernel.is_none() || small || !composable {
-        let (named, temporaries) = named(&first, 0);
+        let (named, temporaries) = named(&first);
         let second = onto(generator, whole_type, &named, &back, &whole);
         let steps = Kernel {
             divisor: None,

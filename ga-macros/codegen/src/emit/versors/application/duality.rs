@@ -3,23 +3,23 @@
 
 use std::collections::HashMap;
 
+use super::Costs;
 use super::derivation::SMALL_ALGEBRA;
 use crate::emit::Generator;
 use crate::emit::involutions::{dual_image, undual_image};
-use crate::factor::Cost;
 use crate::poly::Element;
 
 /// What is known of the applications emitted so far, and which types stand for others.
 pub struct Duality {
     /// For a type whose dual is declared too and comes first, that type.
     primary: Vec<Option<usize>>,
-    /// Result type and cost of every application, by versor and operand.
-    known: HashMap<[usize; 2], (usize, Option<Cost>)>,
+    /// Result type and costs of every application, by versor and operand.
+    known: HashMap<[usize; 2], (usize, Option<Costs>)>,
 }
 
 /// How an application is handed on.
 pub struct HandedOn {
-    /// The arm of `ga_core::dual_application!`.
+    /// What is replaced by its dual, and the sign of the image, for `ga_core::dual_application!`.
     pub form: &'static str,
     /// The rule, for the ledger and the documentation.
     pub rule: &'static str,
@@ -28,7 +28,7 @@ pub struct HandedOn {
     /// The type of the result.
     pub output: usize,
     /// What it costs: duals only move coefficients.
-    pub cost: Option<Cost>,
+    pub costs: Option<Costs>,
 }
 
 impl Duality {
@@ -54,8 +54,16 @@ impl Duality {
     }
 
     /// Notes an application with a body.
-    pub fn note(&mut self, types: [usize; 2], output: usize, cost: Option<Cost>) {
-        self.known.insert(types, (output, cost));
+    pub fn note(&mut self, types: [usize; 2], output: usize, costs: Option<Costs>) {
+        self.known.insert(types, (output, costs));
+    }
+
+    /// The sign of `⟨I Ĩ⟩`, by which the dual of a unit versor is no unit versor where it is −1.
+    /// Only where duals are pairs of types is it asked for, and `I² = ±1` then.
+    pub fn sign(generator: &Generator<'_>) -> char {
+        let model = generator.model;
+        let (_, negative, _) = model.metric.signature();
+        if negative % 2 == 0 { '+' } else { '-' }
     }
 
     /// How the application of one type to another follows from one that is known.
@@ -63,34 +71,41 @@ impl Duality {
         let operand = generator.kind(x).parity();
         if let Some(w) = self.primary[v] {
             let base = [w, x];
-            let &(output, cost) = self.known.get(&base)?;
+            let &(output, costs) = self.known.get(&base)?;
             let (form, output) = match operand {
-                Some(true) => ("versor", output),
-                Some(false) => ("minus_versor", generator.sums[output]?),
-                None if generator.kind(x).has_fixed() => return None,
-                None => ("involuted_versor", output),
+                Some(true) => ("versor +", output),
+                Some(false) => ("versor -", generator.sums[output]?),
+                None if generator.kind(x).is_constrained() => return None,
+                None => ("involuted +", output),
             };
+            let costs = costs.map(|costs| match Duality::sign(generator) {
+                '+' => costs,
+                _ => Costs {
+                    unit: costs.with,
+                    ..costs
+                },
+            });
             return Some(HandedOn {
                 form,
                 rule: "(V I)[x] = V[x̂]",
                 base,
                 output,
-                cost,
+                costs,
             });
         }
         let base = [v, self.primary[x]?];
-        let &(output, cost) = self.known.get(&base)?;
+        let &(output, costs) = self.known.get(&base)?;
         let output = type_of(generator, &undual_image(generator, output)?)?;
         let (form, output) = match generator.kind(v).parity()? {
-            true => ("operand", output),
-            false => ("minus_operand", generator.sums[output]?),
+            true => ("operand +", output),
+            false => ("operand -", generator.sums[output]?),
         };
         Some(HandedOn {
             form,
             rule: "V[x I] = ±V[x] I",
             base,
             output,
-            cost,
+            costs,
         })
     }
 }
@@ -99,7 +114,8 @@ impl Duality {
 fn type_of(generator: &Generator<'_>, element: &Element) -> Option<usize> {
     (0..generator.model.types.len()).find(|&i| {
         let kind = generator.kind(i);
-        kind.slots.len() == element.len()
+        !kind.null
+            && kind.slots.len() == element.len()
             && kind.slots.iter().all(|slot| {
                 slot.fixed.is_none()
                     && element.get(&slot.mask).is_some_and(|poly| {

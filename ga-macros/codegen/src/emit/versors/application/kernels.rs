@@ -1,10 +1,12 @@
 //! The bodies of versor applications: two products with the value between them named.
 
+use std::collections::BTreeSet;
+
 use ga_core::Product;
 
 use crate::emit::Generator;
-use crate::factor::{Kernel, RECIPROCAL, TEMPORARY};
-use crate::poly::{Element, Monomial, Poly, Variable, sum};
+use crate::factor::{Kernel, MULTIPLE, TEMPORARY};
+use crate::poly::{Element, Monomial, Poly, Variable, general, sum};
 
 /// `x + (V x̂ − x V) V⁻¹` with the difference named: most of its terms cancel before the second
 /// product.
@@ -16,55 +18,50 @@ pub fn moving(
     operand: &Element,
     whole: &Element,
 ) -> Kernel {
-    let (named, temporaries) = named(difference, 0);
+    let (named, temporaries) = named(difference);
     let step = onto(generator, result, &named, inverse, whole);
     let image = sum(operand, &step, 1);
-    let kernel = Kernel {
+    Kernel {
         divisor: None,
         temporaries,
         outputs: generator.onto_fields(result, &image),
         form: "x + (V x − x V) V⁻¹",
-    };
-    // With a divided reverse there are more temporaries to come.
-    let ready = inverse
-        .values()
-        .flat_map(Poly::terms)
-        .all(|(monomial, _)| monomial.variables().all(|v| v.operand != TEMPORARY));
-    if ready {
-        kernel.without_unused()
-    } else {
-        kernel
+    }
+    .without_unused()
+}
+
+/// The variable of a temporary.
+pub fn temporary(number: usize) -> Variable {
+    Variable {
+        operand: TEMPORARY,
+        slot: number as u16,
     }
 }
 
-/// A variable for every coefficient of an element, counted from a number on, and what they are.
-pub fn named(element: &Element, from: usize) -> (Element, Vec<Poly>) {
+/// A variable for every coefficient of an element, and what they are.
+pub fn named(element: &Element) -> (Element, Vec<Poly>) {
     let one = ga_core::Rational::from_integer(1);
-    let variables = element.keys().enumerate().map(|(number, mask)| {
-        let slot = (from + number) as u16;
-        let variable = Variable {
-            operand: TEMPORARY,
-            slot,
-        };
-        (*mask, Poly::term(Monomial::of(variable), one))
-    });
+    let variables = element
+        .keys()
+        .enumerate()
+        .map(|(number, mask)| (*mask, Poly::term(Monomial::of(temporary(number)), one)));
     (variables.collect(), element.values().cloned().collect())
 }
 
-/// The reverse times the reciprocal of the norm, in temporaries counted from a number on.
-pub fn divided_by_norm(back: &Element, from: usize) -> (Element, Vec<Poly>) {
-    let one = ga_core::Rational::from_integer(1);
-    let reciprocal = Variable {
-        operand: RECIPROCAL,
-        slot: 0,
-    };
-    let factor = Poly::term(Monomial::of(reciprocal), one);
-    let scaled = back.iter().map(|(mask, poly)| {
-        let mut product = Poly::default();
-        product.add_product(poly, &factor, &one);
-        (*mask, product)
-    });
-    named(&scaled.collect(), from)
+/// The multiple of a versor type whose reverse is the inverse: on the versor's own blades a
+/// variable each, in the slots of the type of its multiples.
+pub fn multiple(generator: &Generator<'_>, [v, multiple]: [usize; 2]) -> Element {
+    let mut general = general(generator.kind(multiple), MULTIPLE);
+    general.retain(|mask, _| generator.kind(v).slot(*mask).is_some());
+    general
+}
+
+/// How many coefficients of the multiple of the versor a kernel reads.
+pub fn multiples_read(kernel: &Kernel) -> usize {
+    let variables = kernel.polynomials().flat_map(Poly::terms);
+    let variables = variables.flat_map(|(monomial, _)| monomial.variables());
+    let read: BTreeSet<Variable> = variables.filter(|v| v.operand == MULTIPLE).collect();
+    read.len()
 }
 
 /// The geometric product on the blades that a type stores and the image can have.

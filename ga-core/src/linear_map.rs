@@ -1,0 +1,188 @@
+//! One versor on many elements: its matrix on a type, without the entries that are always zero.
+
+use core::fmt;
+
+use crate::Field;
+use crate::ops::{ApplyUnit, Outermorphism};
+
+/// What a versor does to elements of one type, as a matrix: the outermorphism `x ↦ V x̂ V⁻¹`.
+///
+/// Only the entries are stored that can differ from zero; which they are is known at compile
+/// time. A conformal motor on a point takes 17 of 25, of which three are added without a
+/// multiplication, and a plane-based motor on a point 12 of 16. Building the matrix costs an
+/// application per coefficient of the type, and then [`apply`](LinearMap::apply) costs the
+/// entries alone: worth it from about ten elements on, which
+/// [`Outermorphism::WORTHWHILE`] says for each pair of types. The operation counts are in the
+/// ledger, as `Motor.linear_map(Point)`.
+///
+/// Made by `versor.linear_map::<Point>()`, of any versor type and of [`Unit`](crate::Unit).
+///
+/// ```
+/// use ga_core::LinearMap;
+/// use ga_core::ops::Outermorphism;
+///
+/// /// The greatest of many coefficients after a motion.
+/// fn farthest<V, X>(map: &LinearMap<V, X>, elements: &[X]) -> f64
+/// where
+///     V: Outermorphism<X, Image = X>,
+///     X: ga_core::Element<Number = f64>,
+/// {
+///     let images = elements.iter().map(|x| map.apply(*x));
+///     images.map(|image| image.at(0)).fold(f64::MIN, f64::max)
+/// }
+/// ```
+pub struct LinearMap<V: Outermorphism<X>, X> {
+    rows: V::Rows,
+}
+
+/// Two slices that belong together are of different lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthMismatch {
+    /// How many elements there are.
+    pub elements: usize,
+    /// How many places there are for their images.
+    pub images: usize,
+}
+
+impl fmt::Display for LengthMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} elements do not fill a slice of {} images; give slices of one length",
+            self.elements, self.images
+        )
+    }
+}
+
+impl core::error::Error for LengthMismatch {}
+
+impl<V: Outermorphism<X>, X> LinearMap<V, X> {
+    /// The matrix of a versor, given the multiple whose reverse is the inverse.
+    #[inline]
+    pub(crate) fn with(versor: V, w: V::Multiple) -> Self {
+        LinearMap {
+            rows: versor.rows_with(w),
+        }
+    }
+
+    /// The image of an element, as the versor applied to it.
+    #[inline(always)]
+    pub fn apply(&self, x: X) -> V::Image {
+        V::image(&self.rows, x)
+    }
+}
+
+impl<V: Outermorphism<X>, X: Copy> LinearMap<V, X> {
+    /// The images of all elements of a slice.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are of different lengths; nothing is written then.
+    #[inline]
+    pub fn apply_slice(
+        &self,
+        elements: &[X],
+        images: &mut [V::Image],
+    ) -> Result<(), LengthMismatch> {
+        into_slice(elements, images, |x| self.apply(x))
+    }
+
+    /// Replaces every element of a slice by its image, where that is of the same type.
+    #[inline]
+    pub fn apply_slice_in_place(&self, elements: &mut [X])
+    where
+        V: Outermorphism<X, Image = X>,
+    {
+        for x in elements {
+            *x = self.apply(*x);
+        }
+    }
+}
+
+/// Writes the image of every element.
+#[inline]
+fn into_slice<X: Copy, Y>(
+    elements: &[X],
+    images: &mut [Y],
+    image: impl Fn(X) -> Y,
+) -> Result<(), LengthMismatch> {
+    if elements.len() != images.len() {
+        return Err(LengthMismatch {
+            elements: elements.len(),
+            images: images.len(),
+        });
+    }
+    for (place, x) in images.iter_mut().zip(elements) {
+        *place = image(*x);
+    }
+    Ok(())
+}
+
+/// Whether the matrix costs less than applications one by one.
+#[inline]
+fn is_worthwhile<V: Outermorphism<X>, X>(length: usize) -> bool {
+    V::WORTHWHILE.is_some_and(|least| length >= least)
+}
+
+/// The images of all elements of a slice under a versor, by its matrix where there are enough.
+#[inline]
+pub fn apply_slice<V, X>(
+    versor: V,
+    w: V::Multiple,
+    elements: &[X],
+    images: &mut [V::Image],
+) -> Result<(), LengthMismatch>
+where
+    V: Outermorphism<X>,
+    X: Copy,
+{
+    if is_worthwhile::<V, X>(elements.len()) {
+        return LinearMap::with(versor, w).apply_slice(elements, images);
+    }
+    into_slice(elements, images, |x| versor.apply_with(w, x))
+}
+
+/// The same in place.
+#[inline]
+pub fn apply_slice_in_place<V, X>(versor: V, w: V::Multiple, elements: &mut [X])
+where
+    V: Outermorphism<X> + ApplyUnit<X, Image = X>,
+    X: Copy,
+{
+    if is_worthwhile::<V, X>(elements.len()) {
+        return LinearMap::<V, X>::with(versor, w).apply_slice_in_place(elements);
+    }
+    for x in elements {
+        *x = versor.apply_with(w, *x);
+    }
+}
+
+/// The matrix of any versor: of `V/⟨V Ṽ⟩` as the inverse.
+#[inline]
+pub fn linear_map<V, X>(versor: V) -> LinearMap<V, X>
+where
+    V: Outermorphism<X, Number: Field>,
+{
+    LinearMap::with(versor, versor.over_norm())
+}
+
+impl<V: Outermorphism<X>, X> Clone for LinearMap<V, X> {
+    #[inline]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V: Outermorphism<X>, X> Copy for LinearMap<V, X> {}
+
+impl<V: Outermorphism<X>, X> PartialEq for LinearMap<V, X> {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows == other.rows
+    }
+}
+
+impl<V: Outermorphism<X>, X> fmt::Debug for LinearMap<V, X> {
+    /// The rows, each with the entries that are stored.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("LinearMap").field(&self.rows).finish()
+    }
+}
