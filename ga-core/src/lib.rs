@@ -15,6 +15,7 @@ pub mod dual;
 mod implement;
 mod involution;
 pub mod linear_map;
+pub mod matrix;
 mod metric;
 pub mod ops;
 pub mod product;

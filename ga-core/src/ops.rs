@@ -97,6 +97,16 @@ products! {
     Quotient quotient
 }
 
+/// The geometric product term by term, of types whose [`Geometric`] product goes through matrices
+/// ([`matrix`](crate::matrix)) where numbers round: slower, but what vanishes in every term is
+/// exactly zero, and an infinity or a NaN spoils only what it takes part in.
+pub trait TermByTerm<B = Self> {
+    /// The type of the geometric product.
+    type Output;
+    /// The product `self b`.
+    fn term_by_term(self, b: B) -> Self::Output;
+}
+
 macro_rules! maps {
     ($($(#[$doc:meta])* $name:ident $method:ident)*) => {$(
         $(#[$doc])*

@@ -49,6 +49,13 @@ pub trait Scalar:
     /// The neutral element of multiplication.
     const ONE: Self;
 
+    /// The number ½ where results may be rounded; `None` for exact numbers.
+    ///
+    /// Numbers that round take the fast way of long products, through matrices
+    /// ([`matrix`](crate::matrix)), which needs halves and gives zeros up to rounding only. All
+    /// others are multiplied term by term.
+    const HALF: Option<Self> = None;
+
     /// The integer `n` as an element of the ring, rounded as the ring rounds.
     fn from_integer(n: i64) -> Self;
 

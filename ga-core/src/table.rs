@@ -1,24 +1,43 @@
-//! Products too long to unroll, as loops over a table of the geometric product.
+//! Products too long to unroll, as loops over the blades that the operands have.
 
-use crate::dual::{left_complement, right_complement};
+mod operand;
+mod orthogonal;
+mod rows;
+
 use crate::ops::Element;
 use crate::product::Rule;
-use crate::{Blade, Field, Product, Scalar, reorder_sign};
+use crate::{Field, Product, Scalar};
 
-/// The most blades of an algebra whose products loop: eight dimensions.
-const BLADES: usize = 256;
+use operand::{BLADES, Operand, gather};
 
-/// The geometric product of all pairs of basis blades, in the order of their bitmasks: for
-/// each pair the number of terms, then for each term the bitmask and the number of its
-/// coefficient.
+/// The geometric product of all pairs of basis blades.
+#[derive(Clone, Copy, Debug)]
 pub struct Table {
     dimension: u32,
-    entries: &'static [u8],
-    coefficients: &'static [(i64, i64)],
+    products: Products,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Products {
+    /// Basis vectors are orthogonal and square to 1, to −1 (bits of `negative`) or to 0.
+    Orthogonal { negative: u32, null: u32 },
+    /// Any metric, all products spelled out.
+    Rows(rows::Rows),
 }
 
 impl Table {
-    /// A table made by the code generator.
+    /// The table of orthogonal vectors of square 1, but −1 or 0 where a bit is set.
+    pub const fn orthogonal(dimension: u32, negative: u32, null: u32) -> Table {
+        Table {
+            dimension,
+            products: Products::Orthogonal { negative, null },
+        }
+    }
+
+    /// A table made by the code generator: for each left blade, in the order of bitmasks, the
+    /// number of bytes that follow for it, in two bytes of which the lower stands first; then
+    /// for each right blade the number of terms, and for each term its bitmask and the number
+    /// of its coefficient.
     pub const fn new(
         dimension: u32,
         entries: &'static [u8],
@@ -26,8 +45,10 @@ impl Table {
     ) -> Table {
         Table {
             dimension,
-            entries,
-            coefficients,
+            products: Products::Rows(rows::Rows {
+                entries,
+                coefficients,
+            }),
         }
     }
 
@@ -66,81 +87,26 @@ impl Table {
         B: Element<Number = A::Number>,
         R: Element<Number = A::Number>,
     {
-        let (left, right) = (spread(&a, &number), spread(&b, &number));
-        let Rule::Grades(keep) = product.row().rule else {
-            return gather(&regressive(self.dimension as usize, &left, &right));
-        };
-        let zero = A::Number::ZERO;
-        let mut result = [zero; BLADES];
-        let count = 1_u32 << self.dimension;
-        let mut entries = self.entries;
-        for i in 0..count {
-            for j in 0..count {
-                let Some((&terms, rest)) = entries.split_first() else {
-                    break;
+        let (left, right) = (Operand::of(&a, &number), Operand::of(&b, &number));
+        let mut result = [A::Number::ZERO; BLADES];
+        match (product.row().rule, &self.products) {
+            (Rule::Complements, _) => {
+                // The outer product needs no metric.
+                let dimension = self.dimension as usize;
+                let (left, right) = (left.complements(dimension), right.complements(dimension));
+                let Rule::Grades(keep) = Product::Wedge.row().rule else {
+                    return gather(&result);
                 };
-                let (row, rest) = rest.split_at(2 * usize::from(terms));
-                entries = rest;
-                let factor = left[i as usize] * right[j as usize];
-                if factor == zero {
-                    continue;
-                }
-                for term in row.chunks_exact(2) {
-                    let mask = u32::from(term[0]);
-                    if keep(i.count_ones(), j.count_ones(), mask.count_ones()) {
-                        let (numerator, denominator) = self.coefficients[usize::from(term[1])];
-                        let value = match (numerator, denominator) {
-                            (1, 1) => factor,
-                            (-1, 1) => -factor,
-                            _ => factor * number(numerator, denominator),
-                        };
-                        result[mask as usize] += value;
-                    }
-                }
+                orthogonal::add(&left, &right, 0, 0, keep, &mut result);
+                return gather(&operand::left_complements(dimension, &result));
+            }
+            (Rule::Grades(keep), Products::Orthogonal { negative, null }) => {
+                orthogonal::add(&left, &right, *negative, *null, keep, &mut result);
+            }
+            (Rule::Grades(keep), Products::Rows(rows)) => {
+                rows.add(self.dimension, &left, &right, keep, number, &mut result);
             }
         }
         gather(&result)
     }
-}
-
-/// The coefficients by bitmask, with fixed ones written by `number`.
-fn spread<A: Element>(a: &A, number: impl Fn(i64, i64) -> A::Number) -> [A::Number; BLADES] {
-    let mut result = [A::Number::ZERO; BLADES];
-    for (i, (blade, sign)) in A::BLADES.iter().enumerate() {
-        result[blade.mask() as usize] = if *sign < 0 { -a.at(i) } else { a.at(i) };
-    }
-    for (blade, sign, numerator, denominator) in A::FIXED {
-        let value = number(*numerator, *denominator);
-        result[blade.mask() as usize] = if *sign < 0 { -value } else { value };
-    }
-    result
-}
-
-fn gather<R: Element>(coefficients: &[R::Number; BLADES]) -> R {
-    R::from_fn(|i| {
-        let (blade, sign) = R::BLADES[i];
-        let value = coefficients[blade.mask() as usize];
-        if sign < 0 { -value } else { value }
-    })
-}
-
-/// The regressive product, which needs no metric.
-fn regressive<T: Scalar>(dimension: usize, left: &[T; BLADES], right: &[T; BLADES]) -> [T; BLADES] {
-    let mut result = [T::ZERO; BLADES];
-    let count = 1_u32 << dimension;
-    for i in (0..count).filter(|i| left[*i as usize] != T::ZERO) {
-        let (below_left, left_sign) = right_complement(dimension, Blade::new(i));
-        for j in (0..count).filter(|j| right[*j as usize] != T::ZERO) {
-            let (below_right, right_sign) = right_complement(dimension, Blade::new(j));
-            let (x, y) = (below_left.mask(), below_right.mask());
-            if x & y != 0 {
-                continue;
-            }
-            let (blade, sign) = left_complement(dimension, Blade::new(x | y));
-            let factor = left[i as usize] * right[j as usize];
-            let sign = sign * left_sign * right_sign * reorder_sign(x, y);
-            result[blade.mask() as usize] += if sign < 0 { -factor } else { factor };
-        }
-    }
-    result
 }

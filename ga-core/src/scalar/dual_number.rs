@@ -118,6 +118,10 @@ impl<T: Field> DivAssign for Dual<T> {
 impl<T: Scalar> Scalar for Dual<T> {
     const ZERO: Self = Dual::constant(T::ZERO);
     const ONE: Self = Dual::constant(T::ONE);
+    const HALF: Option<Self> = match T::HALF {
+        Some(half) => Some(Dual::constant(half)),
+        None => None,
+    };
 
     fn from_integer(n: i64) -> Self {
         Dual::constant(T::from_integer(n))

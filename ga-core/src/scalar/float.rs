@@ -9,6 +9,7 @@ macro_rules! float {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const HALF: Option<Self> = Some(0.5);
 
             fn from_integer(n: i64) -> Self {
                 n as $float

@@ -13,6 +13,7 @@ macro_rules! lanes {
         impl Scalar for $lanes {
             const ZERO: Self = $lanes::new([0.0; $count]);
             const ONE: Self = $lanes::new([1.0; $count]);
+            const HALF: Option<Self> = Some($lanes::new([0.5; $count]));
 
             fn from_integer(n: i64) -> Self {
                 $lanes::new([n as $float; $count])

@@ -18,6 +18,7 @@ mod closure;
 mod emit;
 mod errors;
 mod factor;
+pub mod isomorphism;
 mod layout;
 mod ledger;
 mod model;

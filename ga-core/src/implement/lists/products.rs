@@ -103,6 +103,9 @@ macro_rules! shared {
     (@number_swapped $own:ident $a:ident $b:ident $method:ident) => {
         $b.$method($a)
     };
+    (@term_by_term $own:ident $a:ident $b:ident $Left:ident $Right:ident) => {
+        $crate::ops::TermByTerm::term_by_term($Left::from($a), $Right::from($b))
+    };
     (@widened $own:ident $a:ident $b:ident $Left:ident $Right:ident) => {
         $Left::from($a).$own($Right::from($b))
     };

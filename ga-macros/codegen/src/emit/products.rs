@@ -2,6 +2,7 @@
 //! listed where they vanish.
 
 mod looped;
+mod matrices;
 mod widened;
 
 use std::fmt::Write;
@@ -10,6 +11,7 @@ use ga_core::{Involution, Product, Rational};
 
 pub use self::looped::loop_from;
 use self::looped::{emit_loop, emit_table};
+use self::matrices::{applies, emit_direct, matrices};
 use self::widened::widened;
 pub use self::widened::{Widened, widened_cost};
 use super::Generator;
@@ -176,6 +178,16 @@ fn emit_unrolled(
     }
     entry.form = kernel.form.to_owned();
     entry.cost = Some(kernel.cost());
+    let mut body = expression::body(&kernel, result_kind, &names);
+    let mut documentation = documentation;
+    if let Some(matrices) = matrices(generator, product, [a, b], result) {
+        let types = [left.as_str(), &right, &output];
+        emit_direct(generator, types, unrolled::bound(&kernel), &body);
+        documentation = matrices.documentation(product);
+        body = matrices.body;
+        entry.form = matrices.form;
+        entry.cost = Some(matrices.cost);
+    }
     generator.record(entry);
     let output = match is_number {
         true => output,
@@ -189,7 +201,7 @@ fn emit_unrolled(
         argument: ("b", &right),
         output: &output,
         documentation: &documentation,
-        body: &expression::body(&kernel, result_kind, &names),
+        body: &body,
     });
     Emitted::Unrolled
 }

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use ga_core::{Product, Rational};
+use ga_core::{Metric, Product, Rational};
 use num_traits::ToPrimitive;
 
+use super::matrices::{emit_direct, matrices};
 use super::{Emitted, result_type};
 use crate::emit::Generator;
 use crate::emit::expression;
@@ -83,47 +84,70 @@ pub fn emit_loop(generator: &mut Generator<'_>, product: Product, a: usize, b: u
     let field = if number { ".s" } else { "" };
     let value =
         format!("TABLE.{call}::<_, _, {name}<T>>(algebra::Product::{product:?}, self, b){field}");
+    let mut entry = Entry {
+        function: format!("{left}.{method}({right})"),
+        result: name.clone(),
+        cost: None,
+        fields: if number {
+            1
+        } else {
+            generator.kind(result).field_count()
+        },
+        form: "loop".to_owned(),
+    };
+    let (mut documentation, mut value) = (documentation, value);
+    if let Some(matrices) = matrices(generator, product, [a, b], result) {
+        emit_direct(generator, [left.as_str(), &right, &name], bound, &value);
+        documentation = matrices.documentation(product);
+        value = matrices.body;
+        entry.form = matrices.form;
+        entry.cost = Some(matrices.cost);
+    }
+    generator.record(entry);
     let _ = writeln!(
         generator.source,
         "impl<T: {bound}> {trait_name}<{right}<T>> for {left}<T> {{ type Output = {output}; {} \
          fn {method}(self, b: {right}<T>) -> {output} {{ {value} }} }}",
         expression::doc(&documentation),
     );
-    let fields = if number {
-        1
-    } else {
-        generator.kind(result).field_count()
-    };
-    let function = format!("{left}.{method}({right})");
-    generator.record(Entry {
-        function,
-        result: name,
-        cost: None,
-        fields,
-        form: "loop".to_owned(),
-    });
     Emitted::Loop
 }
 
-/// The table of the geometric product as one literal: for each pair of blades, in the order of
-/// their bitmasks, the number of terms, then blade and coefficient number of each.
+/// The table of the geometric product: which vectors are negative or null where they are
+/// orthogonal and of square 1, −1 or 0; otherwise one literal as `ga_core::table` describes it.
 pub fn emit_table(generator: &mut Generator<'_>) {
-    let count = 1_u32 << generator.model.dimension();
+    let dimension = generator.model.dimension();
+    if let Some((negative, null)) = orthogonal(&generator.model.metric) {
+        let _ = writeln!(
+            generator.source,
+            "#[doc(hidden)] const TABLE: algebra::table::Table = \
+             algebra::table::Table::orthogonal({dimension}, {negative}, {null});"
+        );
+        return;
+    }
+    let count = 1_u32 << dimension;
     let mut coefficients: Vec<Rational> = Vec::new();
     let mut entries: Vec<u8> = Vec::new();
     for i in 0..count {
+        let mut line: Vec<u8> = Vec::new();
         for j in 0..count {
             let row = generator.tables.blades(Product::Geometric, i, j);
-            entries.push(byte(generator, row.len()));
+            line.push(byte(generator, row.len()));
             for (mask, value) in row.iter() {
                 let number = coefficients.iter().position(|known| known == value);
                 let number = number.unwrap_or_else(|| {
                     coefficients.push(*value);
                     coefficients.len() - 1
                 });
-                entries.extend([byte(generator, *mask as usize), byte(generator, number)]);
+                line.extend([byte(generator, *mask as usize), byte(generator, number)]);
             }
         }
+        let length = u16::try_from(line.len()).unwrap_or_else(|_| {
+            generator.tables.overflow();
+            0
+        });
+        entries.extend(length.to_le_bytes());
+        entries.extend(line);
     }
     let fits =
         |value: &Rational| value.numer().to_i64().is_some() && value.denom().to_i64().is_some();
@@ -137,10 +161,24 @@ pub fn emit_table(generator: &mut Generator<'_>) {
         .collect();
     let _ = writeln!(
         generator.source,
-        "#[doc(hidden)] const TABLE: algebra::table::Table = algebra::table::Table::new({}, {literal}, &[{}]);",
-        generator.model.dimension(),
+        "#[doc(hidden)] const TABLE: algebra::table::Table = algebra::table::Table::new({dimension}, {literal}, &[{}]);",
         numbers.join(", ")
     );
+}
+
+/// The vectors of square −1 and those of square 0, as bits, of a metric of orthogonal vectors of
+/// square 1, −1 or 0.
+fn orthogonal(metric: &Metric) -> Option<(u32, u32)> {
+    let (mut negative, mut null) = (0, 0);
+    for i in 0..metric.dimension() {
+        match (metric.gram(i, i).numer(), metric.gram(i, i).denom()) {
+            (1, 1) => {}
+            (-1, 1) => negative |= 1 << i,
+            (0, _) => null |= 1 << i,
+            _ => return None,
+        }
+    }
+    metric.is_diagonal().then_some((negative, null))
 }
 
 /// A number of the table; more than 255 different coefficients are beyond it.

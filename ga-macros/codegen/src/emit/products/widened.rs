@@ -4,7 +4,7 @@
 use ga_core::Product;
 
 use super::looped::loop_from;
-use super::{Call, result_type};
+use super::{Call, applies, result_type};
 use crate::emit::Generator;
 use crate::emit::expression;
 use crate::factor::{Cost, Kernel};
@@ -35,8 +35,13 @@ pub fn widened(
     generator.widened.insert(key, wide);
     // The caller asks for a ring, so what it calls must be content with one.
     let wide = wide.filter(|wide| wide.result == result && wide.integral)?;
+    // What the operands do not have stays exactly zero.
+    let form = match applies(generator, product, [a, b]) {
+        true => "term_by_term",
+        false => "widened",
+    };
     Some(Call {
-        form: "widened",
+        form,
         words: format!("{} {}", generator.name(a), generator.name(b)),
         cost: Some(wide.cost),
     })
