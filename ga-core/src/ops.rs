@@ -57,6 +57,25 @@ pub trait Element: Copy + PartialEq {
     }
 }
 
+/// A number is an element too: a scalar, its own only coefficient.
+impl<T: Scalar> Element for T {
+    type Number = T;
+    type Over<U: Scalar> = U;
+    const BLADES: &'static [(Blade, i8)] = &[(Blade::SCALAR, 1)];
+    const FIXED: &'static [(Blade, i8, i64, i64)] = &[];
+    const LABELS: &'static [&'static str] = &["1"];
+
+    #[inline(always)]
+    fn at(&self, position: usize) -> T {
+        if position == 0 { *self } else { T::ZERO }
+    }
+
+    #[inline(always)]
+    fn from_fn(mut coefficient: impl FnMut(usize) -> T) -> T {
+        coefficient(0)
+    }
+}
+
 macro_rules! products {
     ($($(#[$doc:meta])* $name:ident $method:ident)*) => {$(
         $(#[$doc])*

@@ -1,0 +1,278 @@
+//! How an operation walks over batches: line by line, on several threads where that pays.
+
+use core::marker::PhantomData;
+
+use ga_core::{Element, Scalar};
+use smallvec::SmallVec;
+
+use crate::batch::{Batch, ColumnsMut};
+use crate::dispatch::{On, OnEveryTarget, Task, run};
+use crate::lanes::Lanes;
+use crate::number::Number;
+use crate::operand::{NumberOf, Operand, Reader};
+use crate::operation::fallible::{Attempt, AttemptIn};
+use crate::operation::{Operation, Values};
+use crate::target::Found;
+
+/// The columns that a task writes, which begin at `start` of the operands.
+pub(crate) struct Part<'t, F> {
+    pub(crate) columns: ColumnsMut<'t, F>,
+    pub(crate) start: usize,
+}
+
+impl<F: Number> Part<'_, F> {
+    /// How many numbers a column has.
+    fn len(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.len())
+    }
+}
+
+/// Arrays of lanes, a slice for every column.
+type ArraysMut<'t, F, L> = SmallVec<[&'t mut [<L as Lanes<F>>::Array]; 32]>;
+
+fn arrays_mut<F: Number, L: Lanes<F>>(columns: ColumnsMut<'_, F>) -> ArraysMut<'_, F, L> {
+    columns.into_iter().map(L::arrays_mut).collect()
+}
+
+/// Stores the coefficients of an element in the columns at an index.
+#[inline(always)]
+fn write<Z: Element, L: Lanes<Z::Number>>(
+    value: Z::Over<L>,
+    columns: &mut [&mut [L::Array]],
+    index: usize,
+) where
+    Z::Number: Number,
+{
+    for position in 0..Z::BLADES.len() {
+        value.at(position).store(&mut columns[position][index]);
+    }
+}
+
+/// `operation(a, b)` into the columns of a third batch.
+pub(crate) struct Fill<'t, A: Operand, B, O> {
+    pub(crate) a: A,
+    pub(crate) b: B,
+    pub(crate) operation: &'t O,
+    pub(crate) part: Part<'t, NumberOf<A>>,
+}
+
+impl<A: Operand, B, O> Task for Fill<'_, A, B, O> {
+    type Output = ();
+}
+
+impl<A, B, O, L> On<L> for Fill<'_, A, B, O>
+where
+    A: Operand,
+    B: Operand<Element: Element<Number = NumberOf<A>>>,
+    L: Lanes<NumberOf<A>>,
+    O: Operation<A::Element, B::Element, L>
+        + Values<A::Element, B::Element, Output: Element<Number = NumberOf<A>>>,
+{
+    #[inline(always)]
+    fn run(self) {
+        let first = self.part.start / L::COUNT;
+        let count = self.part.len() / L::COUNT;
+        let (a, b) = (self.a.reader::<L>(), self.b.reader::<L>());
+        let mut columns = arrays_mut::<NumberOf<A>, L>(self.part.columns);
+        let columns = columns.as_mut_slice();
+        for index in 0..count {
+            let value = self
+                .operation
+                .call(a.read(first + index), b.read(first + index));
+            write::<O::Output, L>(value, columns, index);
+        }
+    }
+}
+
+/// `operation(a, b)` in the place of `b`, whose columns these are.
+pub(crate) struct Replace<'t, A: Operand, Y, O> {
+    pub(crate) a: A,
+    pub(crate) operation: &'t O,
+    pub(crate) part: Part<'t, NumberOf<A>>,
+    pub(crate) kind: PhantomData<fn() -> Y>,
+}
+
+impl<A: Operand, Y, O> Task for Replace<'_, A, Y, O> {
+    type Output = ();
+}
+
+impl<A, Y, O, L> On<L> for Replace<'_, A, Y, O>
+where
+    A: Operand,
+    Y: Element<Number = NumberOf<A>>,
+    L: Lanes<NumberOf<A>>,
+    O: Operation<A::Element, Y, L, Output = Y>,
+{
+    #[inline(always)]
+    fn run(self) {
+        let first = self.part.start / L::COUNT;
+        let count = self.part.len() / L::COUNT;
+        let a = self.a.reader::<L>();
+        let mut columns = arrays_mut::<NumberOf<A>, L>(self.part.columns);
+        let columns = columns.as_mut_slice();
+        for index in 0..count {
+            let b = Y::Over::<L>::from_fn(|position| L::load(&columns[position][index]));
+            let value = self.operation.call(a.read(first + index), b);
+            write::<Y, L>(value, columns, index);
+        }
+    }
+}
+
+/// An operation that some elements have no value of, into the columns of another batch and a
+/// list of which exist. Where one of the lanes has no value, all are asked one by one.
+pub(crate) struct Try<'t, X: Element<Number: Number>, O> {
+    pub(crate) from: &'t Batch<X>,
+    pub(crate) operation: &'t O,
+    pub(crate) part: Part<'t, X::Number>,
+    pub(crate) exists: &'t mut [bool],
+}
+
+impl<X: Element<Number: Number>, O> Task for Try<'_, X, O> {
+    type Output = ();
+}
+
+impl<X, O, L> On<L> for Try<'_, X, O>
+where
+    X: Element<Number: Number> + Send + Sync,
+    L: Lanes<X::Number>,
+    O: AttemptIn<X, L> + Attempt<X, Output: Element<Number = X::Number>>,
+{
+    #[inline(always)]
+    fn run(self) {
+        let Part { columns, start } = self.part;
+        let from = self.from.reader::<L>();
+        let mut columns = arrays_mut::<X::Number, L>(columns);
+        let columns = columns.as_mut_slice();
+        for (index, exists) in self.exists.chunks_mut(L::COUNT).enumerate() {
+            if let Some(value) = self.operation.call(from.read(start / L::COUNT + index)) {
+                write::<O::Output, L>(value, columns, index);
+                exists.fill(true);
+                continue;
+            }
+            for (lane, exists) in exists.iter_mut().enumerate() {
+                let element = self.from.get(start + index * L::COUNT + lane);
+                let value = element.and_then(|element| self.operation.one(element));
+                *exists = value.is_some();
+                for (position, column) in columns.iter_mut().enumerate() {
+                    column[index].as_mut()[lane] =
+                        value.map_or(X::Number::ZERO, |value| value.at(position));
+                }
+            }
+        }
+    }
+}
+
+/// Runs a task on the current target.
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn execute<F: Number, T: Split<F> + OnEveryTarget<F, Output = ()>>(task: T) {
+    run::<F, T>(Found::current(), task);
+}
+
+/// Runs a task on the current target, on several threads where it is long.
+#[cfg(feature = "rayon")]
+pub(crate) fn execute<F: Number, T: Split<F> + OnEveryTarget<F, Output = ()>>(task: T) {
+    fn halves<F: Number, T: Split<F> + OnEveryTarget<F, Output = ()>>(target: Found, task: T) {
+        let len = task.len();
+        if len < 2 * SHARE {
+            return run::<F, T>(target, task);
+        }
+        let (low, high) = task.split_at((len / 2).next_multiple_of(F::LINE));
+        rayon::join(|| halves(target, low), || halves(target, high));
+    }
+    halves(Found::current(), task);
+}
+
+/// The least number of elements for which another thread is asked.
+#[cfg(feature = "rayon")]
+const SHARE: usize = 4096;
+
+/// A task that two threads can share.
+pub(crate) trait Split<F: Number>: Send + Sized {
+    /// How many numbers a column has.
+    #[cfg(feature = "rayon")]
+    fn len(&self) -> usize;
+    /// The task for the first numbers of the columns, and that for the others.
+    #[cfg(feature = "rayon")]
+    fn split_at(self, middle: usize) -> (Self, Self);
+}
+
+#[cfg(feature = "rayon")]
+impl<'t, F: Number> Part<'t, F> {
+    /// The first numbers of the columns, and the others.
+    fn split_at(self, middle: usize) -> (Part<'t, F>, Part<'t, F>) {
+        let (low, high) = self
+            .columns
+            .into_iter()
+            .map(|column| column.split_at_mut(middle))
+            .unzip();
+        let part = |columns, start| Part { columns, start };
+        (part(low, self.start), part(high, self.start + middle))
+    }
+}
+
+impl<A, B, O> Split<NumberOf<A>> for Fill<'_, A, B, O>
+where
+    A: Operand,
+    B: Operand,
+    O: Sync,
+{
+    #[cfg(feature = "rayon")]
+    fn len(&self) -> usize {
+        self.part.len()
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split_at(self, middle: usize) -> (Self, Self) {
+        let (low, high) = self.part.split_at(middle);
+        let half = |part| Fill { part, ..self };
+        (half(low), half(high))
+    }
+}
+
+impl<A, Y, O> Split<NumberOf<A>> for Replace<'_, A, Y, O>
+where
+    A: Operand,
+    O: Sync,
+{
+    #[cfg(feature = "rayon")]
+    fn len(&self) -> usize {
+        self.part.len()
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split_at(self, middle: usize) -> (Self, Self) {
+        let (low, high) = self.part.split_at(middle);
+        let half = |part| Replace { part, ..self };
+        (half(low), half(high))
+    }
+}
+
+impl<X, O> Split<X::Number> for Try<'_, X, O>
+where
+    X: Element<Number: Number>,
+    O: Sync,
+{
+    #[cfg(feature = "rayon")]
+    fn len(&self) -> usize {
+        self.part.len()
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split_at(self, middle: usize) -> (Self, Self) {
+        let Try {
+            from,
+            operation,
+            part,
+            exists,
+        } = self;
+        let (low, high) = part.split_at(middle);
+        let (exists_low, exists_high) = exists.split_at_mut(middle.min(exists.len()));
+        let half = |part, exists| Try {
+            from,
+            operation,
+            part,
+            exists,
+        };
+        (half(low, exists_low), half(high, exists_high))
+    }
+}
