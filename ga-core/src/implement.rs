@@ -9,6 +9,30 @@ mod format;
 mod lists;
 mod methods;
 
+/// A function that other crates may inline.
+#[cfg(not(feature = "inlined"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! inlined {
+    ($($function:tt)*) => {
+        #[inline]
+        $($function)*
+    };
+}
+
+/// A function that is inlined whatever its length, as lanes need it: their registers are those of
+/// the function that a kernel was inlined into. Not so in builds for debugging.
+#[cfg(feature = "inlined")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! inlined {
+    ($($function:tt)*) => {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        $($function)*
+    };
+}
+
 /// Everything a type has apart from products with other types.
 #[doc(hidden)]
 #[macro_export]
@@ -30,23 +54,25 @@ macro_rules! element {
             $(const NULL: &'static [$crate::ops::VanishingForm] =
                 &[$(($crate::Blade::new($square), &[$($term),*])),*];)?
 
-            #[inline]
-            fn at(&self, position: usize) -> T {
-                match [$(self.$field),*].get(position) {
-                    ::core::option::Option::Some(value) => *value,
-                    ::core::option::Option::None => T::ZERO,
+            $crate::inlined! {
+                fn at(&self, position: usize) -> T {
+                    match [$(self.$field),*].get(position) {
+                        ::core::option::Option::Some(value) => *value,
+                        ::core::option::Option::None => T::ZERO,
+                    }
                 }
             }
 
-            #[inline]
-            fn from_fn(mut coefficient: impl ::core::ops::FnMut(usize) -> T) -> Self {
-                let mut position = 0;
-                let mut next = || {
-                    let value = coefficient(position);
-                    position += 1;
-                    value
-                };
-                $Name { $($field: next()),* }
+            $crate::inlined! {
+                fn from_fn(mut coefficient: impl ::core::ops::FnMut(usize) -> T) -> Self {
+                    let mut position = 0;
+                    let mut next = || {
+                        let value = coefficient(position);
+                        position += 1;
+                        value
+                    };
+                    $Name { $($field: next()),* }
+                }
             }
         }
 
@@ -64,20 +90,22 @@ macro_rules! element {
 macro_rules! masks {
     ($count:literal $($sign:tt $field:ident),*) => {
         impl<T: $crate::Scalar> Multivector<T> {
-            /// The multivector with these coefficients, indexed by the bitmask of their blades
-            /// (first basis vector 1, second 2, third 4, …), vectors in increasing order
-            /// whatever the spelling of the fields.
-            #[inline]
-            pub fn from_masks(coefficients: [T; $count]) -> Self {
-                let [$($field),*] = coefficients;
-                Self { $($field: $crate::signed!($sign $field)),* }
+            $crate::inlined! {
+                /// The multivector with these coefficients, indexed by the bitmask of their blades
+                /// (first basis vector 1, second 2, third 4, …), vectors in increasing order
+                /// whatever the spelling of the fields.
+                pub fn from_masks(coefficients: [T; $count]) -> Self {
+                    let [$($field),*] = coefficients;
+                    Self { $($field: $crate::signed!($sign $field)),* }
+                }
             }
 
-            /// The coefficients indexed by the bitmask of their blades, the inverse of
-            /// [`from_masks`](Self::from_masks).
-            #[inline]
-            pub fn to_masks(self) -> [T; $count] {
-                [$($crate::signed!($sign (self.$field))),*]
+            $crate::inlined! {
+                /// The coefficients indexed by the bitmask of their blades, the inverse of
+                /// [`from_masks`](Self::from_masks).
+                pub fn to_masks(self) -> [T; $count] {
+                    [$($crate::signed!($sign (self.$field))),*]
+                }
             }
         }
     };

@@ -7,70 +7,79 @@ macro_rules! element_arithmetic {
     ($Name:ident $Sum:ident { $($field:ident,)* } {}) => {
         impl<T: $crate::Scalar> ::core::ops::Add for $Name<T> {
             type Output = $Name<T>;
-            /// The sum, coefficient by coefficient: one addition each.
-            #[inline]
-            fn add(self, b: Self) -> Self {
-                $Name { $($field: self.$field + b.$field),* }
+            $crate::inlined! {
+                /// The sum, coefficient by coefficient: one addition each.
+                fn add(self, b: Self) -> Self {
+                    $Name { $($field: self.$field + b.$field),* }
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::Sub for $Name<T> {
             type Output = $Name<T>;
-            /// The difference, coefficient by coefficient: one subtraction each.
-            #[inline]
-            fn sub(self, b: Self) -> Self {
-                $Name { $($field: self.$field - b.$field),* }
+            $crate::inlined! {
+                /// The difference, coefficient by coefficient: one subtraction each.
+                fn sub(self, b: Self) -> Self {
+                    $Name { $($field: self.$field - b.$field),* }
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::Neg for $Name<T> {
             type Output = $Name<T>;
-            /// Every coefficient negated; no other operations.
-            #[inline]
-            fn neg(self) -> Self {
-                $Name { $($field: -self.$field),* }
+            $crate::inlined! {
+                /// Every coefficient negated; no other operations.
+                fn neg(self) -> Self {
+                    $Name { $($field: -self.$field),* }
+                }
             }
         }
         impl<T: $crate::Scalar> $crate::ops::Geometric<T> for $Name<T> {
             type Output = $Name<T>;
-            /// The multiple `a b`: one multiplication a coefficient.
-            #[inline]
-            fn geometric(self, b: T) -> Self {
-                $Name { $($field: self.$field * b),* }
+            $crate::inlined! {
+                /// The multiple `a b`: one multiplication a coefficient.
+                fn geometric(self, b: T) -> Self {
+                    $Name { $($field: self.$field * b),* }
+                }
             }
         }
         impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
             type Output = $Name<T>;
-            /// The multiple `a / b`: one division a coefficient.
-            #[inline]
-            fn quotient(self, b: T) -> Self {
-                $Name { $($field: self.$field / b),* }
+            $crate::inlined! {
+                /// The multiple `a / b`: one division a coefficient.
+                fn quotient(self, b: T) -> Self {
+                    $Name { $($field: self.$field / b),* }
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::AddAssign for $Name<T> {
-            /// Adds, coefficient by coefficient: one addition each.
-            #[inline]
-            fn add_assign(&mut self, b: Self) {
-                $(self.$field += b.$field;)*
+            $crate::inlined! {
+                /// Adds, coefficient by coefficient: one addition each.
+                fn add_assign(&mut self, b: Self) {
+                    $(self.$field += b.$field;)*
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::SubAssign for $Name<T> {
-            /// Subtracts, coefficient by coefficient: one subtraction each.
-            #[inline]
-            fn sub_assign(&mut self, b: Self) {
-                $(self.$field -= b.$field;)*
+            $crate::inlined! {
+                /// Subtracts, coefficient by coefficient: one subtraction each.
+                fn sub_assign(&mut self, b: Self) {
+                    $(self.$field -= b.$field;)*
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::ops::MulAssign<T> for $Name<T> {
-            /// Multiplies by a number: one multiplication a coefficient.
-            #[inline]
-            fn mul_assign(&mut self, b: T) {
-                $(self.$field *= b;)*
+            $crate::inlined! {
+                /// Multiplies by a number: one multiplication a coefficient.
+                fn mul_assign(&mut self, b: T) {
+                    $(self.$field *= b;)*
+                }
             }
         }
         impl<T: $crate::Field> ::core::ops::DivAssign<T> for $Name<T> {
-            /// Divides by a number: one division a coefficient.
-            #[inline]
-            fn div_assign(&mut self, b: T) {
-                $(self.$field /= b;)*
+            $crate::inlined! {
+                /// Divides by a number: one division a coefficient.
+                fn div_assign(&mut self, b: T) {
+                    $(self.$field /= b;)*
+                }
             }
         }
         impl<T: $crate::Scalar> ::core::iter::Sum for $Name<T> {
@@ -84,9 +93,10 @@ macro_rules! element_arithmetic {
             }
         }
         impl<T: $crate::Scalar> ::core::convert::From<[T; { $crate::count!($($field)*) }]> for $Name<T> {
-            #[inline]
-            fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
-                $Name { $($field),* }
+            $crate::inlined! {
+                fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
+                    $Name { $($field),* }
+                }
             }
         }
         $crate::element_arithmetic! { @references $Name $Name { $($field,)* } }
@@ -94,45 +104,50 @@ macro_rules! element_arithmetic {
     ($Name:ident $Sum:ident { $($field:ident,)* } { $($fixed:tt)+ }) => {
         impl<T: $crate::Field> ::core::ops::Add for $Name<T> {
             type Output = $Sum<T>;
-            /// The sum, without the fixed coefficients: one addition a coefficient of the result.
-            #[inline]
-            fn add(self, b: Self) -> $Sum<T> {
-                $Sum::from(self) + $Sum::from(b)
+            $crate::inlined! {
+                /// The sum, without the fixed coefficients: one addition a coefficient of the result.
+                fn add(self, b: Self) -> $Sum<T> {
+                    $Sum::from(self) + $Sum::from(b)
+                }
             }
         }
         impl<T: $crate::Field> ::core::ops::Sub for $Name<T> {
             type Output = $Sum<T>;
-            /// The difference, without the fixed coefficients: one subtraction a coefficient of the
-            /// result.
-            #[inline]
-            fn sub(self, b: Self) -> $Sum<T> {
-                $Sum::from(self) - $Sum::from(b)
+            $crate::inlined! {
+                /// The difference, without the fixed coefficients: one subtraction a coefficient of the
+                /// result.
+                fn sub(self, b: Self) -> $Sum<T> {
+                    $Sum::from(self) - $Sum::from(b)
+                }
             }
         }
         impl<T: $crate::Field> ::core::ops::Neg for $Name<T> {
             type Output = $Sum<T>;
-            /// Every coefficient negated, without the fixed ones as such; no other operations.
-            #[inline]
-            fn neg(self) -> $Sum<T> {
-                -$Sum::from(self)
+            $crate::inlined! {
+                /// Every coefficient negated, without the fixed ones as such; no other operations.
+                fn neg(self) -> $Sum<T> {
+                    -$Sum::from(self)
+                }
             }
         }
         impl<T: $crate::Field> $crate::ops::Geometric<T> for $Name<T> {
             type Output = $Sum<T>;
-            /// The multiple `a b`, without the fixed coefficients: one multiplication a coefficient of
-            /// the result.
-            #[inline]
-            fn geometric(self, b: T) -> $Sum<T> {
-                $Sum::from(self).geometric(b)
+            $crate::inlined! {
+                /// The multiple `a b`, without the fixed coefficients: one multiplication a coefficient of
+                /// the result.
+                fn geometric(self, b: T) -> $Sum<T> {
+                    $Sum::from(self).geometric(b)
+                }
             }
         }
         impl<T: $crate::Field> $crate::ops::Quotient<T> for $Name<T> {
             type Output = $Sum<T>;
-            /// The multiple `a / b`, without the fixed coefficients: one division a coefficient of the
-            /// result.
-            #[inline]
-            fn quotient(self, b: T) -> $Sum<T> {
-                $Sum::from(self).quotient(b)
+            $crate::inlined! {
+                /// The multiple `a / b`, without the fixed coefficients: one division a coefficient of the
+                /// result.
+                fn quotient(self, b: T) -> $Sum<T> {
+                    $Sum::from(self).quotient(b)
+                }
             }
         }
         impl<T: $crate::Field> ::core::iter::Sum<$Name<T>> for $Sum<T> {
@@ -141,18 +156,20 @@ macro_rules! element_arithmetic {
             }
         }
         impl<T: $crate::Scalar> ::core::convert::From<[T; { $crate::count!($($field)*) }]> for $Name<T> {
-            #[inline]
-            fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
-                $Name { $($field),* }
+            $crate::inlined! {
+                fn from([$($field),*]: [T; { $crate::count!($($field)*) }]) -> Self {
+                    $Name { $($field),* }
+                }
             }
         }
         $crate::element_arithmetic! { @references $Name $Sum { $($field,)* } }
     };
     (@references $Name:ident $Sum:ident { $($field:ident,)* }) => {
         impl<T: $crate::Scalar> ::core::convert::From<$Name<T>> for [T; { $crate::count!($($field)*) }] {
-            #[inline]
-            fn from(a: $Name<T>) -> Self {
-                [$(a.$field),*]
+            $crate::inlined! {
+                fn from(a: $Name<T>) -> Self {
+                    [$(a.$field),*]
+                }
             }
         }
         $crate::element_arithmetic! { @binary $Name Add add Sub sub }
@@ -162,9 +179,10 @@ macro_rules! element_arithmetic {
             $Name<T>: ::core::ops::Neg,
         {
             type Output = <$Name<T> as ::core::ops::Neg>::Output;
-            #[inline]
-            fn neg(self) -> Self::Output {
-                -*self
+            $crate::inlined! {
+                fn neg(self) -> Self::Output {
+                    -*self
+                }
             }
         }
     };
@@ -174,9 +192,10 @@ macro_rules! element_arithmetic {
             $Name<T>: ::core::ops::$trait,
         {
             type Output = <$Name<T> as ::core::ops::$trait>::Output;
-            #[inline]
-            fn $method(self, b: &'a $Name<T>) -> Self::Output {
-                ::core::ops::$trait::$method(self, *b)
+            $crate::inlined! {
+                fn $method(self, b: &'a $Name<T>) -> Self::Output {
+                    ::core::ops::$trait::$method(self, *b)
+                }
             }
         }
         impl<'a, T: $crate::Scalar> ::core::ops::$trait<$Name<T>> for &'a $Name<T>
@@ -184,9 +203,10 @@ macro_rules! element_arithmetic {
             $Name<T>: ::core::ops::$trait,
         {
             type Output = <$Name<T> as ::core::ops::$trait>::Output;
-            #[inline]
-            fn $method(self, b: $Name<T>) -> Self::Output {
-                ::core::ops::$trait::$method(*self, b)
+            $crate::inlined! {
+                fn $method(self, b: $Name<T>) -> Self::Output {
+                    ::core::ops::$trait::$method(*self, b)
+                }
             }
         }
         impl<'a, 'b, T: $crate::Scalar> ::core::ops::$trait<&'b $Name<T>> for &'a $Name<T>
@@ -194,9 +214,10 @@ macro_rules! element_arithmetic {
             $Name<T>: ::core::ops::$trait,
         {
             type Output = <$Name<T> as ::core::ops::$trait>::Output;
-            #[inline]
-            fn $method(self, b: &'b $Name<T>) -> Self::Output {
-                ::core::ops::$trait::$method(*self, *b)
+            $crate::inlined! {
+                fn $method(self, b: &'b $Name<T>) -> Self::Output {
+                    ::core::ops::$trait::$method(*self, *b)
+                }
             }
         }
     )*};
@@ -204,16 +225,18 @@ macro_rules! element_arithmetic {
     (@number $Name:ident $Sum:ident $($number:ident)*) => {$(
         impl ::core::ops::Mul<$Name<$number>> for $number {
             type Output = $Sum<$number>;
-            #[inline]
-            fn mul(self, b: $Name<$number>) -> $Sum<$number> {
-                b * self
+            $crate::inlined! {
+                fn mul(self, b: $Name<$number>) -> $Sum<$number> {
+                    b * self
+                }
             }
         }
         impl<'a> ::core::ops::Mul<&'a $Name<$number>> for $number {
             type Output = $Sum<$number>;
-            #[inline]
-            fn mul(self, b: &'a $Name<$number>) -> $Sum<$number> {
-                *b * self
+            $crate::inlined! {
+                fn mul(self, b: &'a $Name<$number>) -> $Sum<$number> {
+                    *b * self
+                }
             }
         }
     )*};
@@ -238,9 +261,10 @@ macro_rules! element_operators {
             $Name<T>: $crate::ops::Dual,
         {
             type Output = <$Name<T> as $crate::ops::Dual>::Output;
-            #[inline]
-            fn not(self) -> Self::Output {
-                $crate::ops::Dual::dual(self)
+            $crate::inlined! {
+                fn not(self) -> Self::Output {
+                    $crate::ops::Dual::dual(self)
+                }
             }
         }
     };
@@ -250,9 +274,10 @@ macro_rules! element_operators {
             $Name<T>: $crate::ops::$product<B>,
         {
             type Output = <$Name<T> as $crate::ops::$product<B>>::Output;
-            #[inline]
-            fn $method(self, b: B) -> Self::Output {
-                $crate::ops::$product::$name(self, b)
+            $crate::inlined! {
+                fn $method(self, b: B) -> Self::Output {
+                    $crate::ops::$product::$name(self, b)
+                }
             }
         }
         impl<'a, T: ::core::marker::Copy, B> ::core::ops::$operator<B> for &'a $Name<T>
@@ -260,9 +285,10 @@ macro_rules! element_operators {
             $Name<T>: $crate::ops::$product<B>,
         {
             type Output = <$Name<T> as $crate::ops::$product<B>>::Output;
-            #[inline]
-            fn $method(self, b: B) -> Self::Output {
-                $crate::ops::$product::$name(*self, b)
+            $crate::inlined! {
+                fn $method(self, b: B) -> Self::Output {
+                    $crate::ops::$product::$name(*self, b)
+                }
             }
         }
     )*};

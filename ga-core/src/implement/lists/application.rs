@@ -13,13 +13,14 @@ macro_rules! composed_sandwich {
     (@one $Versor:ident $Operand:ident $Result:ident $odd:literal $doc:literal) => {
         impl<T: $crate::Field> $crate::ops::Sandwich<$Operand<T>> for $Versor<T> {
             type Output = $Result<T>;
-            #[doc = $doc]
-            #[inline]
-            fn sandwich(self, x: $Operand<T>) -> $Result<T> {
-                let back = $crate::ops::Reverse::reverse(self);
-                let image = $crate::ops::Geometric::geometric(self, x);
-                let image = $crate::ops::Geometric::geometric(image, back);
-                $crate::convert::image::<_, $Operand<T>, _>(image, $odd)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn sandwich(self, x: $Operand<T>) -> $Result<T> {
+                    let back = $crate::ops::Reverse::reverse(self);
+                    let image = $crate::ops::Geometric::geometric(self, x);
+                    let image = $crate::ops::Geometric::geometric(image, back);
+                    $crate::convert::image::<_, $Operand<T>, _>(image, $odd)
+                }
             }
         }
     };
@@ -46,13 +47,14 @@ macro_rules! versor {
                 let factor = T::ONE / $crate::ops::NormSquared::norm_squared(self);
                 $Multiple::from(self) * factor
             }
-            #[inline]
-            fn unit(self) -> ::core::option::Option<$Multiple<T>>
-            where
-                T: $crate::Real,
-            {
-                let positive = T::ZERO.all_le($crate::ops::NormSquared::norm_squared(self));
-                if positive { self.normalized() } else { ::core::option::Option::None }
+            $crate::inlined! {
+                fn unit(self) -> ::core::option::Option<$Multiple<T>>
+                where
+                    T: $crate::Real,
+                {
+                    let positive = T::ZERO.all_le($crate::ops::NormSquared::norm_squared(self));
+                    if positive { self.normalized() } else { ::core::option::Option::None }
+                }
             }
         }
 
@@ -82,12 +84,13 @@ macro_rules! versor {
             {
                 self
             }
-            #[inline]
-            fn unit(self) -> ::core::option::Option<Self>
-            where
-                T: $crate::Real,
-            {
-                $crate::versor!(@$promise self T)
+            $crate::inlined! {
+                fn unit(self) -> ::core::option::Option<Self>
+                where
+                    T: $crate::Real,
+                {
+                    $crate::versor!(@$promise self T)
+                }
             }
         }
 
@@ -124,31 +127,35 @@ macro_rules! application {
             $Versor<T>: $crate::ops::Sandwich<$Operand<T>>,
         {
             type Image = <$Versor<T> as $crate::ops::Sandwich<$Operand<T>>>::Output;
-            #[doc = $doc]
-            #[inline]
-            fn apply_with(self, _: Self, x: $Operand<T>) -> Self::Image {
-                $crate::ops::Sandwich::sandwich(self, x)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn apply_with(self, _: Self, x: $Operand<T>) -> Self::Image {
+                    $crate::ops::Sandwich::sandwich(self, x)
+                }
             }
         }
     )*};
     ($Versor:ident $Multiple:ident divided: $($Operand:ident => $Output:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::ApplyUnit<$Operand<T>> for $Versor<T> {
             type Image = $Output<T>;
-            #[doc = $doc]
-            #[inline]
-            fn apply_with(self, w: $Multiple<T>, x: $Operand<T>) -> $Output<T> {
-                // Of W = c V with W Ṽ = 1, c is ⟨W W̃⟩.
-                let factor = $crate::ops::NormSquared::norm_squared(w);
-                $crate::convert::multiple($crate::ops::Sandwich::sandwich(self, x), factor)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn apply_with(self, w: $Multiple<T>, x: $Operand<T>) -> $Output<T> {
+                    // Of W = c V with W Ṽ = 1, c is ⟨W W̃⟩.
+                    let factor = $crate::ops::NormSquared::norm_squared(w);
+                    $crate::convert::multiple($crate::ops::Sandwich::sandwich(self, x), factor)
+                }
             }
-            #[inline]
-            fn apply_unit(self, x: $Operand<T>) -> $Output<T> {
-                $crate::convert::pick($crate::ops::Sandwich::sandwich(self, x))
+            $crate::inlined! {
+                fn apply_unit(self, x: $Operand<T>) -> $Output<T> {
+                    $crate::convert::pick($crate::ops::Sandwich::sandwich(self, x))
+                }
             }
-            #[inline]
-            fn apply_divided(self, x: $Operand<T>) -> $Output<T> {
-                let factor = T::ONE / $crate::ops::NormSquared::norm_squared(self);
-                $crate::convert::multiple($crate::ops::Sandwich::sandwich(self, x), factor)
+            $crate::inlined! {
+                fn apply_divided(self, x: $Operand<T>) -> $Output<T> {
+                    let factor = T::ONE / $crate::ops::NormSquared::norm_squared(self);
+                    $crate::convert::multiple($crate::ops::Sandwich::sandwich(self, x), factor)
+                }
             }
         }
     )*};
@@ -164,22 +171,25 @@ macro_rules! dual_application {
     ($Versor:ident $sign:tt: $($form:ident $image:tt $Operand:ident => $Output:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::ApplyUnit<$Operand<T>> for $Versor<T> {
             type Image = $Output<T>;
-            #[doc = $doc]
-            #[inline]
-            fn apply_with(
-                self,
-                w: <Self as $crate::ops::Versor>::Multiple,
-                x: $Operand<T>,
-            ) -> $Output<T> {
-                $crate::signed!($image $crate::dual_application!(@with $form $sign self w x))
+            $crate::inlined! {
+                #[doc = $doc]
+                fn apply_with(
+                    self,
+                    w: <Self as $crate::ops::Versor>::Multiple,
+                    x: $Operand<T>,
+                ) -> $Output<T> {
+                    $crate::signed!($image $crate::dual_application!(@with $form $sign self w x))
+                }
             }
-            #[inline]
-            fn apply_unit(self, x: $Operand<T>) -> $Output<T> {
-                $crate::signed!($image $crate::dual_application!(@unit $form $sign self x))
+            $crate::inlined! {
+                fn apply_unit(self, x: $Operand<T>) -> $Output<T> {
+                    $crate::signed!($image $crate::dual_application!(@unit $form $sign self x))
+                }
             }
-            #[inline]
-            fn apply_divided(self, x: $Operand<T>) -> $Output<T> {
-                $crate::signed!($image $crate::dual_application!(@by apply_divided $form self x))
+            $crate::inlined! {
+                fn apply_divided(self, x: $Operand<T>) -> $Output<T> {
+                    $crate::signed!($image $crate::dual_application!(@by apply_divided $form self x))
+                }
             }
         }
     )*};

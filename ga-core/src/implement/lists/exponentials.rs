@@ -10,10 +10,11 @@ macro_rules! widened_exponential {
             $Wide<T>: $crate::ops::Exponential + ::core::convert::From<$Name<T>>,
         {
             type Output = <$Wide<T> as $crate::ops::Exponential>::Output;
-            /// The exponential of the same element without fixed coefficients, at its cost.
-            #[inline]
-            fn exp(self) -> Self::Output {
-                $crate::ops::Exponential::exp($Wide::from(self))
+            $crate::inlined! {
+                /// The exponential of the same element without fixed coefficients, at its cost.
+                fn exp(self) -> Self::Output {
+                    $crate::ops::Exponential::exp($Wide::from(self))
+                }
             }
         }
     };
@@ -42,20 +43,22 @@ macro_rules! bivector_functions {
     ($algorithm:ident $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal $split:literal) => {
         impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
             type Output = $Versor<T>;
-            #[doc = $doc]
-            #[inline]
-            fn exp(self) -> $Versor<T> {
-                $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(
-                    self,
-                ))
+            $crate::inlined! {
+                #[doc = $doc]
+                fn exp(self) -> $Versor<T> {
+                    $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(
+                        self,
+                    ))
+                }
             }
         }
         impl<T: $crate::Real> $crate::ops::SplitCommuting for $Name<T> {
             type Output = $Bivector<T>;
-            #[doc = $split]
-            #[inline]
-            fn split_commuting(self) -> $crate::algorithm::Split<$Bivector<T>> {
-                $crate::algorithm::split::<T, $Bivector<T>, $Fourth<T>>($Bivector::from(self))
+            $crate::inlined! {
+                #[doc = $split]
+                fn split_commuting(self) -> $crate::algorithm::Split<$Bivector<T>> {
+                    $crate::algorithm::split::<T, $Bivector<T>, $Fourth<T>>($Bivector::from(self))
+                }
             }
         }
     };

@@ -8,20 +8,23 @@ macro_rules! inverse {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
-            /// The squared norm `X X̃`, at the cost of `norm_squared`.
-            #[inline]
-            fn determinant(self) -> T {
-                $crate::ops::NormSquared::norm_squared(self)
+            $crate::inlined! {
+                /// The squared norm `X X̃`, at the cost of `norm_squared`.
+                fn determinant(self) -> T {
+                    $crate::ops::NormSquared::norm_squared(self)
+                }
             }
-            #[doc = $doc]
-            #[inline]
-            fn adjugate(self) -> $Output<T> {
-                $Output::from($crate::ops::Reverse::reverse(self))
+            $crate::inlined! {
+                #[doc = $doc]
+                fn adjugate(self) -> $Output<T> {
+                    $Output::from($crate::ops::Reverse::reverse(self))
+                }
             }
-            /// The adjugate times a number, one multiplication a coefficient.
-            #[inline]
-            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
-                adjugate * factor
+            $crate::inlined! {
+                /// The adjugate times a number, one multiplication a coefficient.
+                fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                    adjugate * factor
+                }
             }
         }
     };
@@ -35,10 +38,11 @@ macro_rules! general_inverse {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
-            #[doc = $doc]
-            #[inline]
-            fn determinant(self) -> T {
-                $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).1
+            $crate::inlined! {
+                #[doc = $doc]
+                fn determinant(self) -> T {
+                    $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).1
+                }
             }
             #[doc = $doc]
             fn adjugate(self) -> $Output<T> {
@@ -46,10 +50,11 @@ macro_rules! general_inverse {
                     $crate::algorithm::adjugate::<$All<T>>($All::from(self), $count).0,
                 )
             }
-            /// The adjugate times a number, one multiplication a coefficient.
-            #[inline]
-            fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
-                adjugate * factor
+            $crate::inlined! {
+                /// The adjugate times a number, one multiplication a coefficient.
+                fn scale(adjugate: $Output<T>, factor: T) -> $Output<T> {
+                    adjugate * factor
+                }
             }
             /// Both at once by one recursion, a division, and a multiplication a coefficient.
             fn inverse(self) -> ::core::option::Option<$Output<T>> {
@@ -76,10 +81,11 @@ macro_rules! quotients {
     ($Left:ident: $($Right:ident $doc:literal),*) => {$(
         impl<T: $crate::Field> $crate::ops::Quotient<$Right<T>> for $Left<T> {
             type Output = <$Left<T> as $crate::ops::Geometric<<$Right<T> as $crate::ops::Inverse>::Output>>::Output;
-            #[doc = $doc]
-            #[inline]
-            fn quotient(self, b: $Right<T>) -> Self::Output {
-                $crate::ops::Geometric::geometric(self, $crate::ops::Inverse::reciprocal(b))
+            $crate::inlined! {
+                #[doc = $doc]
+                fn quotient(self, b: $Right<T>) -> Self::Output {
+                    $crate::ops::Geometric::geometric(self, $crate::ops::Inverse::reciprocal(b))
+                }
             }
         }
     )*};

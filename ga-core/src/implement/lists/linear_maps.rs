@@ -13,23 +13,25 @@ macro_rules! linear_maps {
         impl<T: $crate::Field> $crate::ops::Outermorphism<$Operand<T>> for $Versor<T> {
             type Rows = $crate::linear_maps!(@rows $([$sign $($column)*])*);
             const WORTHWHILE: ::core::option::Option<usize> = $crate::linear_maps!(@least $least);
-            #[inline]
-            fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
-                let column = |x: $Linear<T>| -> $Output<T> {
-                    $crate::convert::pick($crate::ops::ApplyUnit::apply_with(self, w, x))
-                };
-                let fixed = <$Operand<T> as $crate::ops::Element>::from_fn(|_| T::ZERO);
-                let fixed = column($Linear::from(fixed));
-                let columns: [$Output<T>; $fields] = ::core::array::from_fn(|position| {
-                    column($crate::convert::basis::<$Operand<T>, $Linear<T>>(position))
-                });
-                ($($crate::linear_maps!(@entries $row $sign fixed columns $($column)*),)*)
+            $crate::inlined! {
+                fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
+                    let column = |x: $Linear<T>| -> $Output<T> {
+                        $crate::convert::pick($crate::ops::ApplyUnit::apply_with(self, w, x))
+                    };
+                    let fixed = <$Operand<T> as $crate::ops::Element>::from_fn(|_| T::ZERO);
+                    let fixed = column($Linear::from(fixed));
+                    let columns: [$Output<T>; $fields] = ::core::array::from_fn(|position| {
+                        column($crate::convert::basis::<$Operand<T>, $Linear<T>>(position))
+                    });
+                    ($($crate::linear_maps!(@entries $row $sign fixed columns $($column)*),)*)
+                }
             }
-            #[inline]
-            fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
-                let x: [T; $fields] = x.to_array();
-                let ($($row,)*) = rows;
-                $Output { $($row: $crate::linear_maps!(@sum $row $sign x $($column)*)),* }
+            $crate::inlined! {
+                fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
+                    let x: [T; $fields] = x.to_array();
+                    let ($($row,)*) = rows;
+                    $Output { $($row: $crate::linear_maps!(@sum $row $sign x $($column)*)),* }
+                }
             }
         }
     )*};
@@ -89,15 +91,17 @@ macro_rules! dual_linear_maps {
             type Rows = <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::Rows;
             const WORTHWHILE: ::core::option::Option<usize> =
                 <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::WORTHWHILE;
-            #[inline]
-            fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
-                <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::rows_with(self, w)
+            $crate::inlined! {
+                fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
+                    <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::rows_with(self, w)
+                }
             }
-            #[inline]
-            fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
-                let image =
-                    <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::image(rows, x.dual());
-                $crate::signed!($image image.undual())
+            $crate::inlined! {
+                fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
+                    let image =
+                        <$Versor<T> as $crate::ops::Outermorphism<$Dual<T>>>::image(rows, x.dual());
+                    $crate::signed!($image image.undual())
+                }
             }
         }
     };
@@ -112,16 +116,18 @@ macro_rules! dual_linear_maps {
             type Rows = <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::Rows;
             const WORTHWHILE: ::core::option::Option<usize> =
                 <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::WORTHWHILE;
-            #[inline]
-            fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
-                let w = $crate::signed!($sign w.dual());
-                <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::rows_with(self.dual(), w)
+            $crate::inlined! {
+                fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
+                    let w = $crate::signed!($sign w.dual());
+                    <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::rows_with(self.dual(), w)
+                }
             }
-            #[inline]
-            fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
-                let x: $Operand<T> = x.$step();
-                let image = <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::image(rows, x);
-                $crate::signed!($image image)
+            $crate::inlined! {
+                fn image(rows: &Self::Rows, x: $Operand<T>) -> $Output<T> {
+                    let x: $Operand<T> = x.$step();
+                    let image = <$Dual<T> as $crate::ops::Outermorphism<$Operand<T>>>::image(rows, x);
+                    $crate::signed!($image image)
+                }
             }
         }
     };

@@ -32,10 +32,11 @@ macro_rules! renormalization {
     ($Name:ident $doc:literal) => {
         impl<T: $crate::Real> $crate::ops::Renormalize for $Name<T> {
             type Output = $Name<T>;
-            #[doc = $doc]
-            #[inline]
-            fn renormalized(self) -> ::core::option::Option<$Name<T>> {
-                $crate::algorithm::over_norm(self)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn renormalized(self) -> ::core::option::Option<$Name<T>> {
+                    $crate::algorithm::over_norm(self)
+                }
             }
         }
     };
@@ -52,13 +53,14 @@ macro_rules! versor_functions {
     ) => {
         impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
             type Output = $Bivector<T>;
-            #[doc = $log]
-            #[inline]
-            fn log(self) -> ::core::option::Option<$Bivector<T>> {
-                $crate::algorithm::$logarithm::<T, _, $Bivector<T>, $Fourth<T>>(
-                    self,
-                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
-                )
+            $crate::inlined! {
+                #[doc = $log]
+                fn log(self) -> ::core::option::Option<$Bivector<T>> {
+                    $crate::algorithm::$logarithm::<T, _, $Bivector<T>, $Fourth<T>>(
+                        self,
+                        $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                    )
+                }
             }
             #[inline]
             fn log_of_unit(self) -> ::core::option::Option<$Bivector<T>> {
@@ -67,24 +69,26 @@ macro_rules! versor_functions {
         }
         impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {
             type Output = $Versor<T>;
-            #[doc = $sqrt]
-            #[inline]
-            fn sqrt(self) -> ::core::option::Option<$Versor<T>> {
-                $crate::algorithm::square_root::<T, _, $Bivector<T>, $Fourth<T>, _>(
-                    self,
-                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
-                )
+            $crate::inlined! {
+                #[doc = $sqrt]
+                fn sqrt(self) -> ::core::option::Option<$Versor<T>> {
+                    $crate::algorithm::square_root::<T, _, $Bivector<T>, $Fourth<T>, _>(
+                        self,
+                        $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                    )
+                }
             }
         }
         impl<T: $crate::Real> $crate::ops::Renormalize for $Name<T> {
             type Output = $Versor<T>;
-            #[doc = $normal]
-            #[inline]
-            fn renormalized(self) -> ::core::option::Option<$Versor<T>> {
-                $crate::algorithm::renormalise::<T, _, $Bivector<T>, $Fourth<T>, _>(
-                    self,
-                    $crate::versor_functions!(@$commuting $Bivector $Fourth),
-                )
+            $crate::inlined! {
+                #[doc = $normal]
+                fn renormalized(self) -> ::core::option::Option<$Versor<T>> {
+                    $crate::algorithm::renormalise::<T, _, $Bivector<T>, $Fourth<T>, _>(
+                        self,
+                        $crate::versor_functions!(@$commuting $Bivector $Fourth),
+                    )
+                }
             }
         }
     };

@@ -21,9 +21,10 @@ macro_rules! unrolled {
     )*}) => {$(
         impl<T: $Bound> $Trait<$Right> for $Left<T> {
             type Output = $Output;
-            $(#[$doc])*
-            #[inline]
-            fn $method($this, $argument: $Right) -> $Output $body
+            $crate::inlined! {
+                $(#[$doc])*
+                fn $method($this, $argument: $Right) -> $Output $body
+            }
         }
     )*};
 }
@@ -35,20 +36,22 @@ macro_rules! vanishing {
     (Scalar $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = Scalar<T>;
-            #[doc = "Vanishes identically for these types; no operations."]
-            #[inline]
-            fn $method(self, _: $Right<T>) -> Scalar<T> {
-                Scalar { s: T::ZERO }
+            $crate::inlined! {
+                #[doc = "Vanishes identically for these types; no operations."]
+                fn $method(self, _: $Right<T>) -> Scalar<T> {
+                    Scalar { s: T::ZERO }
+                }
             }
         }
     )*};
     (number $trait:ident $method:ident $Left:ident: $($Right:ident),*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = T;
-            #[doc = "Vanishes identically for these types; no operations."]
-            #[inline]
-            fn $method(self, _: $Right<T>) -> T {
-                T::ZERO
+            $crate::inlined! {
+                #[doc = "Vanishes identically for these types; no operations."]
+                fn $method(self, _: $Right<T>) -> T {
+                    T::ZERO
+                }
             }
         }
     )*};
@@ -62,20 +65,22 @@ macro_rules! shared {
     ($trait:ident $method:ident $Left:ident: $($kind:ident $Right:ident => $Output:ident ($($word:ident)*) $doc:literal,)*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = $Output<T>;
-            #[doc = $doc]
-            #[inline]
-            fn $method(self, b: $Right<T>) -> $Output<T> {
-                $crate::shared!(@$kind $method self b $($word)*)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn $method(self, b: $Right<T>) -> $Output<T> {
+                    $crate::shared!(@$kind $method self b $($word)*)
+                }
             }
         }
     )*};
     ($trait:ident $method:ident $Left:ident number: $($kind:ident $Right:ident ($($word:ident)*) $doc:literal,)*) => {$(
         impl<T: $crate::Scalar> $crate::ops::$trait<$Right<T>> for $Left<T> {
             type Output = T;
-            #[doc = $doc]
-            #[inline]
-            fn $method(self, b: $Right<T>) -> T {
-                $crate::shared!(@$kind $method self b $($word)*)
+            $crate::inlined! {
+                #[doc = $doc]
+                fn $method(self, b: $Right<T>) -> T {
+                    $crate::shared!(@$kind $method self b $($word)*)
+                }
             }
         }
     )*};
@@ -127,10 +132,11 @@ macro_rules! references {
             $Left<T>: $crate::ops::$trait<$Right<T>>,
         {
             type Output = <$Left<T> as $crate::ops::$trait<$Right<T>>>::Output;
-            /// The same with the value.
-            #[inline]
-            fn $method(self, b: &'b $Right<T>) -> Self::Output {
-                $crate::ops::$trait::$method(self, *b)
+            $crate::inlined! {
+                /// The same with the value.
+                fn $method(self, b: &'b $Right<T>) -> Self::Output {
+                    $crate::ops::$trait::$method(self, *b)
+                }
             }
         }
     )*};
