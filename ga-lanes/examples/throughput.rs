@@ -77,7 +77,14 @@ fn batch<X: ga_core::Element<Number: Number>>(len: usize) -> Batch<X> {
         .collect()
 }
 
-fn row(name: &str, len: usize, repetitions: usize, peak: f64, slots: f64, mut function: impl FnMut()) {
+fn row(
+    name: &str,
+    len: usize,
+    repetitions: usize,
+    peak: f64,
+    slots: f64,
+    mut function: impl FnMut(),
+) {
     let time = least_seconds(|| (0..repetitions).for_each(|_| function()));
     let each = time / (len * repetitions) as f64 * 1e9;
     println!(

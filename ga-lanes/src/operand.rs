@@ -29,8 +29,13 @@ pub type NumberOf<A> = <<A as Operand>::Element as Element>::Number;
 
 /// Elements for lanes.
 pub trait Reader<X: Element, L> {
+    /// How many times the lanes can be filled.
+    fn count(&self) -> usize;
     /// The elements of the lanes at an index.
-    fn read(&self, index: usize) -> X::Over<L>
+    ///
+    /// # Safety
+    /// The index is less than the count.
+    unsafe fn read(&self, index: usize) -> X::Over<L>
     where
         L: Lanes<X::Number>;
 }
@@ -53,10 +58,11 @@ impl<X: Element<Number: Number> + Send + Sync> Operand for &Batch<X> {
     #[inline(always)]
     fn reader<L: Lanes<X::Number>>(&self) -> impl Reader<X, L> {
         let View { numbers, stride } = self.view();
-        Columns::<X::Number, L> {
-            arrays: L::arrays(numbers),
-            stride: stride / L::COUNT,
-        }
+        let arrays = L::arrays(numbers);
+        let columns = X::BLADES.len();
+        // With no column an element has no coefficient to be read.
+        let stride = (stride / L::COUNT).min(arrays.len() / columns.max(1));
+        Columns::<X, L> { arrays, stride }
     }
 }
 
@@ -75,19 +81,30 @@ impl<X: Element<Number: Number> + Send + Sync> Operand for One<X> {
     }
 }
 
-/// The columns of a batch in arrays of lanes, `stride` of them a column.
-struct Columns<'a, F: Number, L: Lanes<F>> {
+/// The columns of a batch in arrays of lanes: as many columns as the type has coefficients, each
+/// of `stride` arrays.
+struct Columns<'a, X: Element<Number: Number>, L: Lanes<X::Number>> {
     arrays: &'a [L::Array],
     stride: usize,
 }
 
-impl<X: Element, L: Lanes<X::Number>> Reader<X, L> for Columns<'_, X::Number, L>
-where
-    X::Number: Number,
-{
+impl<X: Element<Number: Number>, L: Lanes<X::Number>> Reader<X, L> for Columns<'_, X, L> {
     #[inline(always)]
-    fn read(&self, index: usize) -> X::Over<L> {
-        X::Over::<L>::from_fn(|position| L::load(&self.arrays[position * self.stride + index]))
+    fn count(&self) -> usize {
+        self.stride
+    }
+
+    #[inline(always)]
+    unsafe fn read(&self, index: usize) -> X::Over<L> {
+        X::Over::<L>::from_fn(|position| {
+            if position >= X::BLADES.len() {
+                return L::ZERO;
+            }
+            // SAFETY: there are `BLADES.len()` columns of `stride` arrays, the position was
+            // compared, and the caller promises that the index is less than the stride. A
+            // comparison for every number would cost as much as the arithmetic.
+            L::load(unsafe { self.arrays.get_unchecked(position * self.stride + index) })
+        })
     }
 }
 
@@ -98,7 +115,12 @@ where
 
 impl<X: Element, L: Lanes<X::Number>> Reader<X, L> for Broadcast<X, L> {
     #[inline(always)]
-    fn read(&self, _: usize) -> X::Over<L> {
+    fn count(&self) -> usize {
+        usize::MAX
+    }
+
+    #[inline(always)]
+    unsafe fn read(&self, _: usize) -> X::Over<L> {
         self.0
     }
 }

@@ -20,6 +20,7 @@ pub(crate) struct Part<'t, F> {
     pub(crate) start: usize,
 }
 
+#[cfg(feature = "rayon")]
 impl<F: Number> Part<'_, F> {
     /// How many numbers a column has.
     fn len(&self) -> usize {
@@ -27,16 +28,37 @@ impl<F: Number> Part<'_, F> {
     }
 }
 
-/// Arrays of lanes, a slice for every column.
-type ArraysMut<'t, F, L> = SmallVec<[&'t mut [<L as Lanes<F>>::Array]; 32]>;
+/// Where the lanes of an element are written: as many columns as its type has coefficients, each
+/// of `count` arrays at least.
+struct Writer<'t, F, L: Lanes<F>>
+where
+    F: Number,
+{
+    columns: SmallVec<[&'t mut [L::Array]; 32]>,
+    count: usize,
+}
 
-fn arrays_mut<F: Number, L: Lanes<F>>(columns: ColumnsMut<'_, F>) -> ArraysMut<'_, F, L> {
-    columns.into_iter().map(L::arrays_mut).collect()
+impl<'t, F: Number, L: Lanes<F>> Writer<'t, F, L> {
+    fn new(columns: ColumnsMut<'t, F>) -> Self {
+        let columns: SmallVec<[&mut [L::Array]; 32]> =
+            columns.into_iter().map(L::arrays_mut).collect();
+        let count = columns.iter().map(|column| column.len()).min().unwrap_or(0);
+        Writer { columns, count }
+    }
+
+    /// The columns of a type, if there are as many, and how many arrays each has at least.
+    fn columns<Z: Element>(&mut self) -> Option<(&mut [&'t mut [L::Array]], usize)> {
+        Some((self.columns.get_mut(..Z::BLADES.len())?, self.count))
+    }
 }
 
 /// Stores the coefficients of an element in the columns at an index.
+///
+/// # Safety
+/// There are as many columns as the type has coefficients, and the index is less than the length
+/// of each.
 #[inline(always)]
-fn write<Z: Element, L: Lanes<Z::Number>>(
+unsafe fn write<Z: Element, L: Lanes<Z::Number>>(
     value: Z::Over<L>,
     columns: &mut [&mut [L::Array]],
     index: usize,
@@ -44,7 +66,9 @@ fn write<Z: Element, L: Lanes<Z::Number>>(
     Z::Number: Number,
 {
     for position in 0..Z::BLADES.len() {
-        value.at(position).store(&mut columns[position][index]);
+        // SAFETY: the caller promises both.
+        let array = unsafe { columns.get_unchecked_mut(position).get_unchecked_mut(index) };
+        value.at(position).store(array);
     }
 }
 
@@ -71,15 +95,17 @@ where
     #[inline(always)]
     fn run(self) {
         let first = self.part.start / L::COUNT;
-        let count = self.part.len() / L::COUNT;
         let (a, b) = (self.a.reader::<L>(), self.b.reader::<L>());
-        let mut columns = arrays_mut::<NumberOf<A>, L>(self.part.columns);
-        let columns = columns.as_mut_slice();
-        for index in 0..count {
-            let value = self
-                .operation
-                .call(a.read(first + index), b.read(first + index));
-            write::<O::Output, L>(value, columns, index);
+        let mut writer = Writer::<NumberOf<A>, L>::new(self.part.columns);
+        let Some((columns, count)) = writer.columns::<O::Output>() else {
+            return;
+        };
+        let readable = a.count().min(b.count()).saturating_sub(first);
+        for index in 0..count.min(readable) {
+            // SAFETY: `first + index` is less than the counts of both.
+            let (x, y) = unsafe { (a.read(first + index), b.read(first + index)) };
+            // SAFETY: the index is less than the count of the writer, whose columns these are.
+            unsafe { write::<O::Output, L>(self.operation.call(x, y), columns, index) };
         }
     }
 }
@@ -106,14 +132,21 @@ where
     #[inline(always)]
     fn run(self) {
         let first = self.part.start / L::COUNT;
-        let count = self.part.len() / L::COUNT;
         let a = self.a.reader::<L>();
-        let mut columns = arrays_mut::<NumberOf<A>, L>(self.part.columns);
-        let columns = columns.as_mut_slice();
-        for index in 0..count {
-            let b = Y::Over::<L>::from_fn(|position| L::load(&columns[position][index]));
-            let value = self.operation.call(a.read(first + index), b);
-            write::<Y, L>(value, columns, index);
+        let mut writer = Writer::<NumberOf<A>, L>::new(self.part.columns);
+        let Some((columns, count)) = writer.columns::<Y>() else {
+            return;
+        };
+        let readable = a.count().saturating_sub(first);
+        for index in 0..count.min(readable) {
+            // SAFETY: `first + index` is less than the count.
+            let x = unsafe { a.read(first + index) };
+            let y = Y::Over::<L>::from_fn(|position| {
+                let column = columns.get(position);
+                column.map_or(L::ZERO, |column| L::load(&column[index]))
+            });
+            // SAFETY: the index is less than the count of the writer, whose columns these are.
+            unsafe { write::<Y, L>(self.operation.call(x, y), columns, index) };
         }
     }
 }
@@ -141,11 +174,18 @@ where
     fn run(self) {
         let Part { columns, start } = self.part;
         let from = self.from.reader::<L>();
-        let mut columns = arrays_mut::<X::Number, L>(columns);
-        let columns = columns.as_mut_slice();
-        for (index, exists) in self.exists.chunks_mut(L::COUNT).enumerate() {
-            if let Some(value) = self.operation.call(from.read(start / L::COUNT + index)) {
-                write::<O::Output, L>(value, columns, index);
+        let mut writer = Writer::<X::Number, L>::new(columns);
+        let Some((columns, count)) = writer.columns::<O::Output>() else {
+            return;
+        };
+        let readable = from.count().saturating_sub(start / L::COUNT);
+        let exists = self.exists.chunks_mut(L::COUNT).enumerate();
+        for (index, exists) in exists.take(count.min(readable)) {
+            // SAFETY: the index from the start on is less than the count.
+            let x = unsafe { from.read(start / L::COUNT + index) };
+            if let Some(value) = self.operation.call(x) {
+                // SAFETY: the index is less than the count of the writer, whose columns these are.
+                unsafe { write::<O::Output, L>(value, columns, index) };
                 exists.fill(true);
                 continue;
             }

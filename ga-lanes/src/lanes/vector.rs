@@ -9,23 +9,28 @@
 //! to have. What a kernel smuggles out in a box stays on that machine.
 
 use core::fmt;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign};
+use core::ops::{Neg, Not, Sub, SubAssign};
 
-use ga_core::{Field, Narrowing, Real, Scalar};
+use ga_core::{Field, Lanes as _, Narrowing, Precision, Real, Scalar};
 
 use super::{Lanes, sealed};
 
 /// The instructions of target `C` for numbers of this type.
 ///
 /// # Safety
-/// Every function may be called only on a machine that has the target's instructions.
-pub trait Instructions<C>: Real {
+/// Every unsafe function may be called only on a machine that has the target's instructions.
+pub trait Instructions<C>: Precision {
     /// A vector register.
     type Register: Copy + 'static;
+    /// The outcome of a comparison.
+    type Outcome: Copy + 'static;
     /// The numbers of a register in memory.
     type Array: Copy + AsRef<[Self]> + AsMut<[Self]>;
     /// How many numbers a register holds.
     const COUNT: usize;
+    /// What is added to the exponent of a number where it is stored.
+    const BIAS: Self;
     /// 0 in every lane.
     const ZEROS: Self::Register;
     /// 1 in every lane.
@@ -34,6 +39,12 @@ pub trait Instructions<C>: Real {
     const PIS: Self::Register;
     /// The rounding of 1 in every lane.
     const EPSILONS: Self::Register;
+    /// The bit of the sign in every lane.
+    const SIGNS: Self::Register;
+    /// All other bits.
+    const MAGNITUDES: Self::Register;
+    /// The bits of the mantissa.
+    const MANTISSAS: Self::Register;
 
     /// The arrays of a slice.
     fn arrays(numbers: &[Self]) -> &[Self::Array];
@@ -42,7 +53,7 @@ pub trait Instructions<C>: Real {
     /// The array of a function's values.
     fn array(lane: impl FnMut(usize) -> Self) -> Self::Array;
     /// One number in every lane.
-    unsafe fn splat(value: Self) -> Self::Register;
+    unsafe fn same(value: Self) -> Self::Register;
     /// From memory.
     unsafe fn load(array: &Self::Array) -> Self::Register;
     /// To memory.
@@ -67,21 +78,36 @@ pub trait Instructions<C>: Real {
         b: Self::Register,
         c: Self::Register,
     ) -> Self::Register;
-    /// −a
-    unsafe fn negative(a: Self::Register) -> Self::Register;
-    /// |a|
-    unsafe fn magnitude(a: Self::Register) -> Self::Register;
     /// √a
     unsafe fn root(a: Self::Register) -> Self::Register;
-    /// `then` where a ≤ b, `otherwise` elsewhere
-    unsafe fn choose_le(
-        a: Self::Register,
-        b: Self::Register,
+    /// The bits of both.
+    unsafe fn and(a: Self::Register, b: Self::Register) -> Self::Register;
+    /// The bits of either.
+    unsafe fn or(a: Self::Register, b: Self::Register) -> Self::Register;
+    /// The bits in which they differ.
+    unsafe fn xor(a: Self::Register, b: Self::Register) -> Self::Register;
+    /// The bits moved up by the length of the mantissa.
+    unsafe fn shift_up(a: Self::Register) -> Self::Register;
+    /// The bits moved down by the length of the mantissa.
+    unsafe fn shift_down(a: Self::Register) -> Self::Register;
+    /// Where a < b
+    unsafe fn less(a: Self::Register, b: Self::Register) -> Self::Outcome;
+    /// Where a ≤ b
+    unsafe fn at_most(a: Self::Register, b: Self::Register) -> Self::Outcome;
+    /// Where both hold.
+    unsafe fn mask_and(a: Self::Outcome, b: Self::Outcome) -> Self::Outcome;
+    /// Where either holds.
+    unsafe fn mask_or(a: Self::Outcome, b: Self::Outcome) -> Self::Outcome;
+    /// Where it does not hold.
+    unsafe fn mask_not(a: Self::Outcome) -> Self::Outcome;
+    /// In which lanes it holds, a bit for each.
+    unsafe fn bits(a: Self::Outcome) -> u32;
+    /// `then` where it holds, `otherwise` elsewhere.
+    unsafe fn choose(
+        mask: Self::Outcome,
         then: Self::Register,
         otherwise: Self::Register,
     ) -> Self::Register;
-    /// Whether a ≤ b in every lane.
-    unsafe fn are_le(a: Self::Register, b: Self::Register) -> bool;
 }
 
 /// The numbers in one register of target `C`.
@@ -103,27 +129,6 @@ impl<F: Instructions<C>, C> Vector<F, C> {
     fn from_fn(lane: impl FnMut(usize) -> F) -> Self {
         // SAFETY: the type can be named only on a machine with its instructions; see above.
         Vector(unsafe { F::load(&F::array(lane)) })
-    }
-
-    /// A function of every lane, one after the other.
-    #[inline(always)]
-    fn map(self, mut function: impl FnMut(F) -> F) -> Self {
-        let array = self.to_array();
-        Self::from_fn(|lane| function(array.as_ref()[lane]))
-    }
-
-    /// Two functions of every lane, one after the other.
-    #[inline(always)]
-    fn map_pair(self, function: impl Fn(F) -> (F, F)) -> (Self, Self) {
-        let mut second = F::array(|_| F::default());
-        let array = self.to_array();
-        let first = Self::from_fn(|lane| {
-            let (first, other) = function(array.as_ref()[lane]);
-            second.as_mut()[lane] = other;
-            first
-        });
-        // SAFETY: the vector `first` exists; see above.
-        (first, Vector(unsafe { F::load(&second) }))
     }
 }
 
@@ -150,11 +155,11 @@ impl<F: Instructions<C>, C> Default for Vector<F, C> {
 }
 
 /// Equality in every lane.
-impl<F: Instructions<C>, C> PartialEq for Vector<F, C> {
+impl<F: Instructions<C>, C: 'static> PartialEq for Vector<F, C> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
-        // SAFETY: two vectors exist; see above.
-        unsafe { F::are_le(self.0, other.0) && F::are_le(other.0, self.0) }
+        let (low, high) = (self.is_at_most(*other), other.is_at_most(*self));
+        <Self as ga_core::Lanes>::all(low & high)
     }
 }
 
@@ -190,7 +195,7 @@ impl<F: Instructions<C>, C> Neg for Vector<F, C> {
     #[inline(always)]
     fn neg(self) -> Self {
         // SAFETY: a vector exists; see above.
-        Vector(unsafe { F::negative(self.0) })
+        Vector(unsafe { F::xor(self.0, F::SIGNS) })
     }
 }
 
@@ -200,7 +205,7 @@ impl<F: Instructions<C>, C: 'static> Scalar for Vector<F, C> {
 
     #[inline(always)]
     fn from_integer(n: i64) -> Self {
-        Self::splat(F::from_integer(n))
+        ga_core::Lanes::splat(F::from_integer(n))
     }
 
     #[inline(always)]
@@ -224,7 +229,7 @@ impl<F: Instructions<C>, C: 'static> Field for Vector<F, C> {
 
     #[inline(always)]
     fn from_ratio(numerator: i64, denominator: i64) -> Self {
-        Self::splat(F::from_ratio(numerator, denominator))
+        ga_core::Lanes::splat(F::from_ratio(numerator, denominator))
     }
 
     #[inline(always)]
@@ -242,85 +247,138 @@ impl<F: Instructions<C>, C: 'static> Field for Vector<F, C> {
     }
 }
 
-/// Roots, comparisons and absolute values act on all lanes at once; the other functions run lane
-/// by lane, so that a lane at the edge of a domain leaves the others alone.
-impl<F: Instructions<C>, C: 'static> Real for Vector<F, C> {
+/// The outcome of a comparison of vectors.
+pub struct Mask<F: Instructions<C>, C>(F::Outcome);
+
+impl<F: Instructions<C>, C> Clone for Mask<F, C> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<F: Instructions<C>, C> Copy for Mask<F, C> {}
+
+impl<F: Instructions<C>, C> BitAnd for Mask<F, C> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        // SAFETY: masks come from vectors, which exist; see above.
+        Mask(unsafe { F::mask_and(self.0, other.0) })
+    }
+}
+
+impl<F: Instructions<C>, C> BitOr for Mask<F, C> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        // SAFETY: masks come from vectors, which exist; see above.
+        Mask(unsafe { F::mask_or(self.0, other.0) })
+    }
+}
+
+impl<F: Instructions<C>, C> Not for Mask<F, C> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        // SAFETY: masks come from vectors, which exist; see above.
+        Mask(unsafe { F::mask_not(self.0) })
+    }
+}
+
+impl<F: Instructions<C>, C: 'static> ga_core::Lanes for Vector<F, C> {
+    type Float = F;
+    type Mask = Mask<F, C>;
+
     const PI: Self = Vector(F::PIS);
     const EPSILON: Self = Vector(F::EPSILONS);
 
     #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        Self::splat(F::from_f64(value))
+    fn splat(value: F) -> Self {
+        // SAFETY: the type can be named only on a machine with its instructions; see above.
+        Vector(unsafe { F::same(value) })
     }
 
     #[inline(always)]
-    fn at_value(self, value: Self) -> Self {
-        value
+    fn map(self, function: impl Fn(F) -> F) -> Self {
+        let array = self.to_array();
+        Self::from_fn(|lane| function(array.as_ref()[lane]))
     }
 
     #[inline(always)]
-    fn abs(self) -> Self {
+    fn zip(self, other: Self, function: impl Fn(F, F) -> F) -> Self {
+        let (own, other) = (self.to_array(), other.to_array());
+        Self::from_fn(|lane| function(own.as_ref()[lane], other.as_ref()[lane]))
+    }
+
+    #[inline(always)]
+    fn is_less(self, other: Self) -> Mask<F, C> {
+        // SAFETY: two vectors exist; see above.
+        Mask(unsafe { F::less(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn is_at_most(self, other: Self) -> Mask<F, C> {
+        // SAFETY: two vectors exist; see above.
+        Mask(unsafe { F::at_most(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn all(mask: Mask<F, C>) -> bool {
+        // SAFETY: masks come from vectors, which exist; see above.
+        unsafe { F::bits(mask.0) == u32::MAX >> (32 - F::COUNT) }
+    }
+
+    #[inline(always)]
+    fn any(mask: Mask<F, C>) -> bool {
+        // SAFETY: masks come from vectors, which exist; see above.
+        unsafe { F::bits(mask.0) != 0 }
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask<F, C>, then: Self, otherwise: Self) -> Self {
+        // SAFETY: two vectors exist; see above.
+        Vector(unsafe { F::choose(mask.0, then.0, otherwise.0) })
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> Self {
         // SAFETY: a vector exists; see above.
-        Vector(unsafe { F::magnitude(self.0) })
+        Vector(unsafe { F::and(self.0, F::MAGNITUDES) })
     }
 
     #[inline(always)]
-    fn sqrt(self) -> Self {
+    fn with_sign_of(self, sign: Self) -> Self {
+        // SAFETY: two vectors exist; see above.
+        Vector(unsafe { F::or(self.magnitude().0, F::and(sign.0, F::SIGNS)) })
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
         // SAFETY: a vector exists; see above.
         Vector(unsafe { F::root(self.0) })
     }
 
     #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        self.map_pair(F::sin_cos)
+    fn power_of_two(self) -> Self {
+        // In this sum the exponent stands in the last bits.
+        let biased = self + ga_core::Lanes::splat(F::ROUNDING + F::BIAS);
+        // SAFETY: a vector exists; see above.
+        Vector(unsafe { F::shift_up(biased.0) })
     }
 
     #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        let (y, x) = (self.to_array(), x.to_array());
-        Self::from_fn(|lane| y.as_ref()[lane].atan2(x.as_ref()[lane]))
-    }
-
-    #[inline(always)]
-    fn exp(self) -> Self {
-        self.map(F::exp)
-    }
-
-    #[inline(always)]
-    fn ln(self) -> Self {
-        self.map(F::ln)
-    }
-
-    #[inline(always)]
-    fn cosh_sinhc(self) -> (Self, Self) {
-        self.map_pair(F::cosh_sinhc)
-    }
-
-    #[inline(always)]
-    fn log_factor(self, square: Self) -> Option<Self> {
-        let (mut factors, squares) = (self.to_array(), square.to_array());
-        for (factor, square) in factors.as_mut().iter_mut().zip(squares.as_ref()) {
-            *factor = factor.log_factor(*square)?;
-        }
-        Some(Self::load(&factors))
-    }
-
-    #[inline(always)]
-    fn is_finite(self) -> bool {
-        // The difference with itself is not a number in lanes that are not finite.
-        Real::abs(self - self).all_le(Self::ZERO)
-    }
-
-    #[inline(always)]
-    fn all_le(self, other: Self) -> bool {
+    fn mantissa_and_exponent(self) -> (Self, Self) {
+        let rounding: Self = ga_core::Lanes::splat(F::ROUNDING);
         // SAFETY: two vectors exist; see above.
-        unsafe { F::are_le(self.0, other.0) }
-    }
-
-    #[inline(always)]
-    fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self {
-        // SAFETY: four vectors exist; see above.
-        Vector(unsafe { F::choose_le(self.0, bound.0, then.0, otherwise.0) })
+        let (mantissa, shifted) = unsafe {
+            (
+                F::or(F::and(self.0, F::MANTISSAS), F::ONES),
+                F::or(rounding.0, F::shift_down(self.0)),
+            )
+        };
+        let biased: Self = ga_core::Lanes::splat(F::ROUNDING + F::BIAS);
+        (Vector(mantissa), Vector(shifted) - biased)
     }
 }
 
@@ -332,8 +390,7 @@ impl<F: Instructions<C>, C: 'static> Lanes<F> for Vector<F, C> {
 
     #[inline(always)]
     fn splat(value: F) -> Self {
-        // SAFETY: the type can be named only on a machine with its instructions; see above.
-        Vector(unsafe { F::splat(value) })
+        ga_core::Lanes::splat(value)
     }
 
     #[inline(always)]

@@ -1,0 +1,161 @@
+//! Products, versors, involutions: what has a value for every element.
+
+use ga_lanes::{Batch, LengthMismatch, One};
+
+use super::plane;
+use super::r3;
+use super::samples::{LENGTHS, assert_same, elements, on_every_target};
+
+macro_rules! binary {
+    ($float:ident: $($algebra:ident $A:ident $B:ident: $($method:ident $into:ident)*;)*) => {{$(
+        for len in LENGTHS {
+            let a = elements::<$algebra::$A<$float>>(len, 1);
+            let b = elements::<$algebra::$B<$float>>(len, 2);
+            let (first, second) = (Batch::from_slice(&a), Batch::from_slice(&b));
+            let one_a = elements::<$algebra::$A<$float>>(1, 3)[0];
+            let one_b = elements::<$algebra::$B<$float>>(1, 4)[0];
+            $({
+                let name = concat!(stringify!($A), ".", stringify!($method), "(", stringify!($B), ")");
+                let pairs = a.iter().zip(&b);
+                let each: Vec<_> = pairs.map(|(a, b)| a.$method(*b)).collect();
+                assert_same(&first.$method(&second).unwrap(), &each, name);
+                let left: Vec<_> = b.iter().map(|b| one_a.$method(*b)).collect();
+                assert_same(&One(one_a).$method(&second), &left, name);
+                let right: Vec<_> = a.iter().map(|a| a.$method(one_b)).collect();
+                assert_same(&first.$method(One(one_b)).unwrap(), &right, name);
+                // Into a batch that is longer, and into one that is shorter.
+                for former in [0, 40] {
+                    let mut out = Batch::zeros(former);
+                    first.$into(&second, &mut out).unwrap();
+                    assert_same(&out, &each, name);
+                    One(one_a).$into(&second, &mut out);
+                    assert_same(&out, &left, name);
+                }
+            })*
+        }
+    )*}};
+}
+
+macro_rules! unary {
+    ($float:ident: $($algebra:ident $A:ident: $($method:ident)*;)*) => {{$(
+        for len in LENGTHS {
+            let a = elements::<$algebra::$A<$float>>(len, 5);
+            let batch = Batch::from_slice(&a);
+            $({
+                let name = concat!(stringify!($A), ".", stringify!($method), "()");
+                let each: Vec<_> = a.iter().map(|a| a.$method()).collect();
+                assert_same(&batch.$method(), &each, name);
+            })*
+        }
+    )*}};
+}
+
+macro_rules! all {
+    ($float:ident) => {{
+        binary! { $float:
+            r3 Vector Vector: geometric geometric_into wedge wedge_into inner inner_into
+                left_contract left_contract_into right_contract right_contract_into
+                scalar_product scalar_product_into commutator commutator_into
+                anticommutator anticommutator_into;
+            r3 Bivector Bivector: regressive regressive_into;
+            r3 Even Vector: apply apply_into sandwich sandwich_into quotient quotient_into;
+            r3 Multivector Multivector: geometric geometric_into wedge wedge_into;
+            plane Point Point: geometric geometric_into wedge wedge_into inner inner_into;
+            plane Circle Circle: regressive regressive_into geometric geometric_into;
+            plane Motor Point: apply apply_into sandwich sandwich_into;
+            plane Motor Circle: apply apply_into;
+            plane Motor Motor: geometric geometric_into;
+            plane Vector Pair: left_contract left_contract_into apply apply_into;
+            plane Even Even: geometric geometric_into commutator commutator_into;
+        }
+        unary! { $float:
+            r3 Even: reverse involute conjugate dual undual left_complement right_complement
+                norm_squared norm;
+            r3 Bivector: exp;
+            plane Point: reverse dual norm_squared norm;
+            plane Pair: reverse dual exp norm;
+            plane Even: reverse involute norm_squared;
+        }
+    }};
+}
+
+#[test]
+fn single_precision_agrees_with_single_elements() {
+    on_every_target(|| {
+        all!(f32);
+    });
+}
+
+#[test]
+fn double_precision_agrees_with_single_elements() {
+    on_every_target(|| {
+        all!(f64);
+    });
+}
+
+#[test]
+fn sums_multiples_and_negatives_agree_with_single_elements() {
+    on_every_target(|| {
+        for len in LENGTHS {
+            let a = elements::<plane::Vector<f64>>(len, 6);
+            let b = elements::<plane::Point<f64>>(len, 7);
+            let numbers = elements::<f64>(len, 8);
+            let (first, second) = (Batch::from_slice(&a), Batch::from_slice(&b));
+            let factors = Batch::from_slice(&numbers);
+            let zip = |f: fn(plane::Vector<f64>, plane::Point<f64>) -> plane::Vector<f64>| {
+                a.iter().zip(&b).map(|(a, b)| f(*a, *b)).collect::<Vec<_>>()
+            };
+            assert_same(&first.plus(&second).unwrap(), &zip(|a, b| a + b), "plus");
+            assert_same(&first.minus(&second).unwrap(), &zip(|a, b| a - b), "minus");
+            let opposite: Vec<_> = a.iter().map(|a| -a).collect();
+            assert_same(&first.opposite(), &opposite, "opposite");
+            let multiples: Vec<_> = a.iter().zip(&numbers).map(|(a, n)| *a * *n).collect();
+            assert_same(&first.geometric(&factors).unwrap(), &multiples, "multiples");
+            let quotients: Vec<_> = a.iter().map(|a| *a / 3.0).collect();
+            assert_same(&first.quotient(One(3.0)).unwrap(), &quotients, "quotients");
+        }
+    });
+}
+
+#[test]
+fn operations_in_place_replace_the_right_operand() {
+    on_every_target(|| {
+        for len in LENGTHS {
+            let motors = elements::<plane::Motor<f32>>(len, 9);
+            let points = elements::<plane::Point<f32>>(len, 10);
+            let one = elements::<plane::Motor<f32>>(1, 11)[0];
+            let mut batch = Batch::from_slice(&points);
+            Batch::from_slice(&motors)
+                .apply_in_place(&mut batch)
+                .unwrap();
+            let moved: Vec<_> = motors
+                .iter()
+                .zip(&points)
+                .map(|(m, p)| m.apply(*p))
+                .collect();
+            assert_same(&batch, &moved, "apply_in_place");
+            let mut batch = Batch::from_slice(&points);
+            One(one).apply_in_place(&mut batch);
+            let moved: Vec<_> = points.iter().map(|p| one.apply(*p)).collect();
+            assert_same(&batch, &moved, "apply_in_place");
+        }
+    });
+}
+
+#[test]
+fn batches_of_different_lengths_are_refused() {
+    let motors = Batch::from_slice(&elements::<plane::Motor<f64>>(7, 1));
+    let points = elements::<plane::Point<f64>>(9, 2);
+    let mut batch = Batch::from_slice(&points);
+    let mismatch = LengthMismatch { left: 7, right: 9 };
+    assert_eq!(motors.apply(&batch), Err(mismatch));
+    assert_eq!(motors.apply_in_place(&mut batch), Err(mismatch));
+    assert_eq!(batch.to_vec(), points);
+    let mut out = Batch::from_slice(&points[..2]);
+    assert_eq!(motors.apply_into(&batch, &mut out), Err(mismatch));
+    assert_eq!(out.to_vec(), points[..2]);
+    assert_eq!(
+        mismatch.to_string(),
+        "a batch of 7 elements and one of 9 cannot be combined element by element"
+    );
+}
