@@ -223,23 +223,12 @@ fn term(
 /// difference of large numbers and says less than that.
 #[inline]
 pub fn polar<T: Real>(scalar: T, square: T) -> Option<(T, T)> {
-    let norm_squared = norm_squared(scalar, square)?;
-    if norm_squared == T::ONE {
-        return Some((T::ONE, square));
-    }
-    let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
-    positive.then(|| (norm_squared.sqrt(), square))
-}
-
-/// R R̃ of `R = c + X`, 1 where it is that up to rounding; `None` where it is not finite.
-#[inline(always)]
-fn norm_squared<T: Real>(scalar: T, square: T) -> Option<T> {
-    let scalar_squared = scalar * scalar;
-    let norm_squared = scalar_squared - square;
-    let rounding = rounding_of(scalar_squared + square.abs());
+    let norm_squared = scalar * scalar - square;
+    let rounding = rounding_of(scalar * scalar + square.abs());
     let distance = (norm_squared - T::ONE).abs();
     let norm_squared = distance.select_le(rounding, norm_squared.at_value(T::ONE), norm_squared);
-    rounding.is_finite().then_some(norm_squared)
+    let positive = T::ZERO.all_le(norm_squared) && norm_squared.is_invertible();
+    (positive && rounding.is_finite()).then(|| (norm_squared.sqrt(), square))
 }
 
 /// The factor `f` for which `log R = f X` is the principal logarithm of the versor `R = c + X`
@@ -247,7 +236,9 @@ fn norm_squared<T: Real>(scalar: T, square: T) -> Option<T> {
 /// takes no norm.
 #[inline]
 pub fn logarithm_factor<T: Real>(scalar: T, square: T) -> Option<T> {
-    if norm_squared(scalar, square)? == T::ONE {
+    let norm_squared = scalar * scalar - square;
+    let is_unit = (norm_squared - T::ONE).abs().all_le(rounding_of(T::ONE));
+    if is_unit && norm_squared.at_value(T::ONE) == T::ONE {
         return scalar.log_factor(square);
     }
     factor_over_norm(scalar, square)

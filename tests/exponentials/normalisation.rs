@@ -1,7 +1,7 @@
 //! Polar normalisation removes drift, of whichever kind.
 
 use ga::cga::cga3;
-use ga::core::ops::{Element, Exponential, Renormalize};
+use ga::core::ops::{Element, Exponential, Logarithm, Renormalize};
 
 use crate::families::Random;
 use crate::space::{Space, Value, error, largest};
@@ -85,4 +85,21 @@ fn what_has_no_inverse_root_says_so() {
             .renormalized()
             .is_none()
     );
+}
+
+/// What is promised is not asked, and the same where it holds.
+#[test]
+fn logarithms_of_promised_unit_versors() {
+    for size in [0.0, 1e-9, 0.3, 1.2, 1.5] {
+        let rotor = r3::Bivector::new(0.5, -0.7, 0.4) * size;
+        assert_eq!(rotor.exp().log_of_unit(), rotor.exp().log());
+        let line = cga3::DualLine::new(0.5, 0.3, -0.2, 0.1, 0.6, -0.4) * size;
+        assert_eq!(line.exp().log_of_unit(), line.exp().log());
+        let pair = cga3::PointPair::from(line) * 0.5;
+        assert_eq!(pair.exp().log_of_unit(), pair.exp().log());
+    }
+    assert_eq!(r3::Even::new(-1.0, 0.0, 0.0, 0.0).log_of_unit(), None);
+    let twice = r3::Even::new(2.0, 0.0, 0.0, 0.0);
+    assert_eq!(twice.log_of_unit(), None);
+    assert_eq!(twice.log(), Some(r3::Bivector::default()));
 }

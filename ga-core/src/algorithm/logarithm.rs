@@ -129,7 +129,8 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     let square = unit.bivector.scalar_product(unit.bivector);
-    if !T::ZERO.all_le(nearness(unit.scalar, square)) {
+    let far = T::from_ratio(-1, 2).all_le(unit.scalar);
+    if !(far || T::ZERO.all_le(nearness(unit.scalar, square))) {
         return motor_near_the_edge(unit);
     }
     let (factor, slope) = unit.scalar.log_factor_slope(square)?;

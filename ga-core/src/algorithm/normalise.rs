@@ -138,10 +138,13 @@ where
     #[inline(always)]
     pub(super) fn is_unit<G>(&self, commutators: &Commutators<impl Fn(A, Q) -> Q, G>) -> bool {
         let norm = self.norm_squared(commutators);
+        let deviation = norm.deviation();
+        let is_rounding = || {
+            let rounding = rounding_of(self.size());
+            deviation.all_le(rounding) && rounding.is_finite()
+        };
         let constant = |value: T, expected: T| value.at_value(expected) == expected;
-        let rounding = rounding_of(self.size());
-        norm.deviation().all_le(rounding)
-            && rounding.is_finite()
+        (deviation.all_le(rounding_of(T::ONE)) || is_rounding())
             && constant(norm.scalar, T::ONE)
             && (0..Q::BLADES.len()).all(|i| constant(norm.fourth.at(i), T::ZERO))
     }

@@ -2,8 +2,9 @@
 //! functions reach their ends.
 //!
 //! The polynomials are minimax approximations by the exchange algorithm of Remez, computed with
-//! sixty digits and rounded. The error that stands with each is the largest one of the function
-//! that is made of it, relative to it, before the rounding of its evaluation.
+//! sixty digits and rounded (`tests/data/coefficients.py`). The error that stands with each is the
+//! largest one of the function that is made of it, relative to its size, before the rounding of
+//! its evaluation.
 
 mod double;
 mod single;

@@ -53,22 +53,22 @@ impl<L: Lanes> Real for L {
         ln(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn cosh_sinhc(self) -> (Self, Self) {
         rotors::cosh_sinhc(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn cosh_sinhc_slope(self) -> (Self, Self, Self) {
         rotors::cosh_sinhc_slope(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn log_factor(self, square: Self) -> Option<Self> {
         rotors::log_factor(self, square)
     }
 
-    #[inline]
+    #[inline(always)]
     fn log_factor_slope(self, square: Self) -> Option<(Self, Self)> {
         rotors::log_factor_slope(self, square)
     }

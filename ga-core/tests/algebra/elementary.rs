@@ -165,6 +165,63 @@ fn angles_of_points() {
     judge("atan2 of f32", worst[1], 2.2);
 }
 
+/// C, S and S′ near and far, in single precision against double, and S′ against its definition.
+#[test]
+fn functions_of_the_square_of_a_bivector() {
+    for i in -40_000..8_000 {
+        let a = f64::from(i as f32 * 0.01);
+        let size = 1.0 + a.abs().sqrt();
+        let (cosh, sinhc, slope) = a.cosh_sinhc_slope();
+        let (direct_cosh, direct_sinhc) = a.cosh_sinhc();
+        let close = |found: f64, expected: f64, epsilon: f64| {
+            let bound = 3.0 * epsilon * size * expected.abs().max(1.0);
+            assert!(
+                (found - expected).abs() <= bound,
+                "{found} {expected} at {a}"
+            );
+        };
+        close(cosh, direct_cosh, f64::EPSILON);
+        close(sinhc, direct_sinhc, f64::EPSILON);
+        if a.abs() > 0.5 {
+            close(slope, (cosh - sinhc) / (2.0 * a), 2.0 * f64::EPSILON);
+        }
+        let (single_cosh, single_sinhc, single_slope) = (a as f32).cosh_sinhc_slope();
+        close(single_cosh.into(), cosh, f32::EPSILON.into());
+        close(single_sinhc.into(), sinhc, f32::EPSILON.into());
+        close(single_slope.into(), slope, f32::EPSILON.into());
+    }
+    assert!(f64::NAN.cosh_sinhc_slope().2.is_nan());
+}
+
+/// θ/sin θ and its slope by cos θ, of turns up to near π and of rapidities.
+#[test]
+fn factors_of_logarithms() {
+    for i in 1..3140 {
+        let angle = f64::from(i) * 1e-3;
+        let (sin, cos) = angle.sin_cos();
+        let (factor, slope) = cos.log_factor_slope(-sin * sin).unwrap();
+        let close = |found: f64, expected: f64, bound: f64| {
+            let miss = (found - expected).abs();
+            assert!(
+                miss <= bound * expected.abs(),
+                "{found} {expected} at {angle}"
+            );
+        };
+        close(factor, angle / sin, 1e-15);
+        if angle > 0.3 {
+            close(slope, (cos * angle / sin - 1.0) / (sin * sin), 4e-14);
+        }
+        let (c, s) = (cos as f32, -(sin * sin) as f32);
+        let root = f64::from(-s).sqrt();
+        let (single, single_slope) = c.log_factor_slope(s).unwrap();
+        close(single.into(), root.atan2(c.into()) / root, 5e-7);
+        close(single_slope.into(), slope, 2e-6 / (1.0 + cos));
+        let (cosh, sinh) = (angle.cosh(), angle.sinh());
+        let boost = cosh.log_factor(sinh * sinh).unwrap();
+        close(boost, angle / sinh, 1e-15);
+    }
+}
+
 /// Bit for bit, for one function on lanes and alone.
 fn assert_lanes<L: Lanes<Float: Real>>(
     values: &[L::Float],

@@ -99,7 +99,9 @@ fn log_factors_are_accurate() {
 
 #[test]
 fn logarithms_that_do_not_exist() {
-    let none: [(f64, f64); 9] = [
+    let none: [(f64, f64); 11] = [
+        (0.5, -1e300),
+        (1e10, -1.0),
         (-1.0, 0.0),
         (-1.0, -0.0),
         (-2.0, 3.0),

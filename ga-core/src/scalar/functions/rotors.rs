@@ -13,7 +13,7 @@ use crate::scalar::precision::Precision;
 const NEAR: [f64; 2] = [-2.4674, 1.0];
 
 /// C(a) = cosh √a and S(a) = sinh √a/√a.
-#[inline]
+#[inline(always)]
 pub fn cosh_sinhc<L: Lanes>(a: L) -> (L, L) {
     let argument = Argument::of(a);
     let square = argument.square;
@@ -24,7 +24,7 @@ pub fn cosh_sinhc<L: Lanes>(a: L) -> (L, L) {
 }
 
 /// C, S and S′ at a; the derivative of C is S/2.
-#[inline]
+#[inline(always)]
 pub fn cosh_sinhc_slope<L: Lanes>(a: L) -> (L, L, L) {
     let argument = Argument::of(a);
     let square = argument.square;
@@ -123,7 +123,7 @@ const FARTHEST: f64 = 1.125;
 ///
 /// `None` where there is none in a lane: for c ≤ 0 with X² ≥ 0, where c² − X² is not even roughly
 /// 1, and for what is not finite.
-#[inline]
+#[inline(always)]
 pub fn log_factor<L: Lanes>(c: L, square: L) -> Option<L> {
     let arc = Arc::of(c, square)?;
     let factor = L::ONE.plus_product(arc.distance, polynomial(arc.distance, L::Float::ARC));
@@ -131,7 +131,7 @@ pub fn log_factor<L: Lanes>(c: L, square: L) -> Option<L> {
 }
 
 /// The factor f(c) of the logarithm and its derivative along c² − X² = 1.
-#[inline]
+#[inline(always)]
 pub fn log_factor_slope<L: Lanes>(c: L, square: L) -> Option<(L, L)> {
     let arc = Arc::of(c, square)?;
     let factor = L::ONE.plus_product(arc.distance, polynomial(arc.distance, L::Float::ARC));
@@ -154,10 +154,9 @@ impl<L: Lanes> Arc<L> {
     fn of(cosine: L, square: L) -> Option<Self> {
         let half = constant::<L>(0.5);
         let squared = cosine * cosine;
-        let excess = (squared - L::ONE - square) * half;
-        let unit = excess
-            .magnitude()
-            .is_less((squared + square.magnitude()) * half);
+        let excess = ((squared - square) - L::ONE) * half;
+        let size = squared + square.magnitude();
+        let unit = excess.magnitude().is_less(size * constant(0.25));
         let exists = unit & (square.is_less(L::ZERO) | L::ZERO.is_less(cosine));
         L::all(exists).then(|| {
             let distance = L::ONE - cosine.magnitude();
@@ -178,6 +177,10 @@ impl<L: Lanes> Arc<L> {
         let mut factor = near.minus_product(near, self.excess);
         let mut slope = slope;
         let behind = self.cosine.is_less(L::ZERO);
+        let boost = constant::<L>(FARTHEST).is_less(self.cosine);
+        if !L::any(behind | boost) {
+            return Some((factor, slope));
+        }
         if L::any(behind) {
             // θ/sin θ = π/sin θ − (π − θ)/sin(π − θ).
             let sine = (-self.square).square_root();
@@ -186,7 +189,6 @@ impl<L: Lanes> Arc<L> {
             factor = L::select(behind, other, factor);
             slope = L::select(behind, quotient, slope);
         }
-        let boost = constant::<L>(FARTHEST).is_less(self.cosine);
         if L::any(boost) {
             let sinh = self.square.square_root();
             let far = ln(self.cosine + sinh) / sinh;
