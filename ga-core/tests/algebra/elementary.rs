@@ -191,6 +191,25 @@ fn functions_of_the_square_of_a_bivector() {
         close(single_slope.into(), slope, f32::EPSILON.into());
     }
     assert!(f64::NAN.cosh_sinhc_slope().2.is_nan());
+    // Beyond what polynomials reduce; the root of these squares is exact.
+    for angle in [
+        3.0e6,
+        1.0e7,
+        9.0e7,
+        94_906_000.0,
+        2.0_f64.powi(60),
+        2.0_f64.powi(300),
+    ] {
+        let (cosh, sinhc) = (-angle * angle).cosh_sinhc();
+        assert!((cosh - angle.cos()).abs() < 1e-15, "{angle}");
+        assert!((sinhc * angle - angle.sin()).abs() < 1e-15, "{angle}");
+    }
+    for angle in [2.0e4_f32, 2.0_f32.powi(20), 2.0_f32.powi(50)] {
+        let (cosh, sinhc) = (-angle * angle).cosh_sinhc();
+        let (sin, cos) = f64::from((angle * angle).sqrt()).sin_cos();
+        assert!((f64::from(cosh) - cos).abs() < 3e-7, "{angle}");
+        assert!((f64::from(sinhc * angle) - sin).abs() < 3e-7, "{angle}");
+    }
 }
 
 /// θ/sin θ and its slope by cos θ, of turns up to near π and of rapidities.

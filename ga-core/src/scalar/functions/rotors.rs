@@ -5,6 +5,7 @@ use super::exponential::half_exp;
 use super::logarithm::ln;
 use super::polynomial::polynomial;
 use super::{constant, nearest_integer, parity};
+use crate::Scalar;
 use crate::scalar::elementary::Elementary;
 use crate::scalar::lanes::Lanes;
 use crate::scalar::precision::Precision;
@@ -64,12 +65,13 @@ impl<L: Lanes> Argument<L> {
             let part = L::splat(*part);
             rest = rest.minus_product(half_turns, part + part);
         }
+        let mut half_turns = L::select(near, half_turns, L::ZERO);
         // Of larger angles hardly a digit is known; they are reduced by the library.
         if !L::all(near | !turned) {
-            rest = L::select(near, rest, reduced_by_library(root));
+            let (far, far_turns) = reduced_by_library(root);
+            rest = L::select(near, rest, far);
+            half_turns = L::select(near, half_turns, far_turns);
         }
-        // By the library the number of half turns is even.
-        let half_turns = L::select(near, half_turns, L::ZERO);
         Argument {
             given,
             square: L::select(turned, -(rest * rest), given),
@@ -106,14 +108,23 @@ impl<L: Lanes> Argument<L> {
     }
 }
 
-/// The angle in (−π, π], lane by lane.
+/// The angle without its half turns, in [−π/2, π/2], and 1 where these are odd, lane by lane.
 #[cold]
 #[inline(never)]
-fn reduced_by_library<L: Lanes>(angle: L) -> L {
-    angle.map(|angle| {
+fn reduced_by_library<L: Lanes>(angle: L) -> (L, L) {
+    let opposite = |cos: L::Float| cos.is_less(L::Float::ZERO);
+    let rest = angle.map(|angle| {
         let (sin, cos) = angle.sin_cos();
-        sin.atan2(cos)
-    })
+        match opposite(cos) {
+            true => (-sin).atan2(-cos),
+            false => sin.atan2(cos),
+        }
+    });
+    let half_turns = angle.map(|angle| match opposite(angle.sin_cos().1) {
+        true => L::Float::ONE,
+        false => L::Float::ZERO,
+    });
+    (rest, half_turns)
 }
 
 /// The cosine up to which the polynomials of the logarithm reach.
