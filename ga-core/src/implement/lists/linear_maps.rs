@@ -7,7 +7,7 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! linear_maps {
-    ($Versor:ident: $($Operand:ident in $Linear:ident $fields:literal => $Output:ident $least:literal {
+    ($Versor:ident: $($Operand:ident in $Linear:ident $fields:literal => $Output:ident $least:tt {
         $($row:ident $sign:tt [$($column:tt)*])*
     })*) => {$(
         impl<T: $crate::Field> $crate::ops::Outermorphism<$Operand<T>> for $Versor<T> {
@@ -38,7 +38,7 @@ macro_rules! linear_maps {
     (@least 0) => {
         ::core::option::Option::None
     };
-    (@least $least:literal) => {
+    (@least $least:tt) => {
         ::core::option::Option::Some($least)
     };
     (@rows $([$sign:tt $($column:tt)*])*) => {

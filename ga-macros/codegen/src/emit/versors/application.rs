@@ -4,6 +4,7 @@
 mod derivation;
 mod duality;
 mod kernels;
+mod matrix;
 mod null;
 
 use std::fmt::Write;
@@ -11,6 +12,7 @@ use std::fmt::Write;
 use self::derivation::{Application, application, is_unit};
 use self::duality::{Duality, HandedOn};
 use self::kernels::multiples_read;
+use self::matrix::Candidate;
 use super::{geometric_product, product_cost};
 use crate::emit::Generator;
 use crate::emit::expression::{self, Names};
@@ -113,6 +115,7 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
         applied: Vec::new(),
         handed_on: Vec::new(),
     };
+    let mut matrices = Vec::new();
     for x in duality.order() {
         let types = [v, x];
         let handed_on = duality.hand_on(generator, types);
@@ -142,6 +145,7 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
                     handed_on.rule,
                 );
                 duality.note(types, handed_on.output, handed_on.costs);
+                matrices.push((x, Candidate::HandedOn(handed_on)));
             }
             None => {
                 let fields = generator.kind(application.applied).field_count();
@@ -156,6 +160,13 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
                     by_sandwich,
                 );
                 duality.note(types, application.applied, costs);
+                let unrolled = application.is_unrolled();
+                let pattern = application
+                    .pattern
+                    .filter(|pattern| matrix::is_wanted(generator, pattern, unrolled));
+                let own =
+                    pattern.map(|pattern| Candidate::Own(pattern, application.applied, costs));
+                matrices.extend(own.map(|own| (x, own)));
             }
         }
     }
@@ -184,6 +195,7 @@ fn applications_of(generator: &mut Generator<'_>, duality: &mut Duality, v: usiz
             let _ = writeln!(generator.source, "algebra::{head} {} }}", list.join(", "));
         }
     }
+    matrix::matrices(generator, duality, v, matrices);
 }
 
 /// Emits what all applications of a versor type have in common.

@@ -4,6 +4,7 @@
 use ga_core::Product;
 
 use super::kernels::{cheaper, moving, multiple, named, onto};
+use super::matrix::{Pattern, pattern};
 use super::null::{eliminated, squared};
 use crate::closure;
 use crate::emit::Generator;
@@ -33,6 +34,15 @@ pub struct Application {
     /// The body of the application, given the multiple of the versor whose reverse is the inverse;
     /// where it is not the sandwich itself.
     pub applied_kernel: Option<Kernel>,
+    /// Which entries its matrix has, where bodies are wanted and that is known.
+    pub pattern: Option<Pattern>,
+}
+
+impl Application {
+    /// Whether it has a body of its own, of one kind or the other.
+    pub fn is_unrolled(&self) -> bool {
+        self.sandwich_kernel.is_some() || self.applied_kernel.is_some()
+    }
 }
 
 /// Whether `V Ṽ = 1` by declaration or by the fixed coefficients.
@@ -77,6 +87,7 @@ pub fn application(
             sandwich_kernel: None,
             applied: by_grade,
             applied_kernel: None,
+            pattern: None,
         });
     }
     let versor = &generator.general[v][0];
@@ -113,8 +124,10 @@ pub fn application(
             sandwich_kernel: None,
             applied,
             applied_kernel: None,
+            pattern: None,
         });
     }
+    let pattern = Some(pattern(generator, [applied, x], &whole));
     let composable = composable(generator, &first, &back);
     let limit = match composable {
         true => unroll_limit(generator, v, applied),
@@ -134,6 +147,7 @@ pub fn application(
             sandwich_kernel: short(cheaper(expanded, kernel)),
             applied,
             applied_kernel: None,
+            pattern,
         });
     }
     // V⁻¹ = W̃ with W = V of a unit versor and W = V/(V Ṽ) of any other: one body for both.
@@ -156,6 +170,7 @@ pub fn application(
             sandwich_kernel: Some(spinor),
             applied,
             applied_kernel: None,
+            pattern,
         });
     }
     // In large algebras one unrolled body per pair has to do.
@@ -179,6 +194,7 @@ pub fn application(
         sandwich_kernel,
         applied,
         applied_kernel,
+        pattern,
     })
 }
 

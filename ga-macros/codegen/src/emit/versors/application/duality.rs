@@ -7,6 +7,7 @@ use super::Costs;
 use super::derivation::SMALL_ALGEBRA;
 use crate::emit::Generator;
 use crate::emit::involutions::{dual_image, undual_image};
+use crate::factor::Cost;
 use crate::poly::Element;
 
 /// What is known of the applications emitted so far, and which types stand for others.
@@ -15,6 +16,8 @@ pub struct Duality {
     primary: Vec<Option<usize>>,
     /// Result type and costs of every application, by versor and operand.
     known: HashMap<[usize; 2], (usize, Option<Costs>)>,
+    /// What the matrices cost on one element, and how many entries they have.
+    matrices: HashMap<[usize; 2], (Cost, usize)>,
 }
 
 /// How an application is handed on.
@@ -42,6 +45,7 @@ impl Duality {
         Duality {
             primary: primary.collect(),
             known: HashMap::new(),
+            matrices: HashMap::new(),
         }
     }
 
@@ -56,6 +60,21 @@ impl Duality {
     /// Notes an application with a body.
     pub fn note(&mut self, types: [usize; 2], output: usize, costs: Option<Costs>) {
         self.known.insert(types, (output, costs));
+    }
+
+    /// What an application costs, if there is one and that is known.
+    pub fn costs(&self, types: [usize; 2]) -> Option<Option<Costs>> {
+        self.known.get(&types).map(|(_, costs)| *costs)
+    }
+
+    /// Notes the matrix of an application.
+    pub fn note_matrix(&mut self, types: [usize; 2], matrix: (Cost, usize)) {
+        self.matrices.insert(types, matrix);
+    }
+
+    /// What the matrix of an application costs and how many entries it has, if there is one.
+    pub fn matrix(&self, types: [usize; 2]) -> Option<(Cost, usize)> {
+        self.matrices.get(&types).copied()
     }
 
     /// The sign of `⟨I Ĩ⟩`, by which the dual of a unit versor is no unit versor where it is −1.
