@@ -52,6 +52,7 @@ fn chosen_functions_of_the_conformal_model() {
         ("ApplyUnit for Motor<T>", "x: Point<T>)"),
         ("ApplyUnit for Rotor<T>", "x: PointPair<T>)"),
         ("ApplyUnit for DualPlane<T>", "x: DualSphere<T>)"),
+        ("Sandwich for Even<T>", "sandwich(self, x: Point<T>)"),
         ("Wedge for Point<T>", "wedge(self, b: Point<T>)"),
         ("Wedge for Point<T>", "wedge(self, b: PointPair<T>)"),
         ("Geometric for Motor<T>", "geometric(self, b: Motor<T>)"),

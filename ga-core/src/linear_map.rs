@@ -174,15 +174,10 @@ impl<V: Outermorphism<X>, X> Clone for LinearMap<V, X> {
 
 impl<V: Outermorphism<X>, X> Copy for LinearMap<V, X> {}
 
-impl<V: Outermorphism<X>, X> PartialEq for LinearMap<V, X> {
-    fn eq(&self, other: &Self) -> bool {
-        self.rows == other.rows
-    }
-}
-
 impl<V: Outermorphism<X>, X> fmt::Debug for LinearMap<V, X> {
-    /// The rows, each with the entries that are stored.
+    /// The types, of the versor and of what it acts on.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("LinearMap").field(&self.rows).finish()
+        let (versor, element) = (core::any::type_name::<V>(), core::any::type_name::<X>());
+        write!(f, "LinearMap<{versor}, {element}>")
     }
 }

@@ -55,6 +55,38 @@ use proc_macro::TokenStream;
 /// provably do and widen where not. `Scalar`, `Even`, `Odd` and `Multivector` are always there
 /// (up to eight dimensions); sparse types go to twelve dimensions.
 ///
+/// Versors apply by `V x̂ V⁻¹`. A versor that is known to be unit spares the division and more:
+/// `Unit` of ga-core holds one of any type, for one versor on many elements and hot loops; `#[unit]`
+/// promises it of all values of a type. `#[null]` promises that the values of a type square to 0:
+/// narrowing checks it, and applications have less to compute. One versor on very many elements is
+/// its matrix.
+///
+/// ```
+/// use ga_core::Unit;
+///
+/// ga_macros::define_algebra! {
+///     pub mod conformal: R3_1 {
+///         basis  { e1, e2, no, ni }
+///         metric { e1^2 = 1, e2^2 = 1, no.ni = -1 }
+///         types {
+///             #[null]
+///             Point { no = 1, e1, e2, ni }
+///             Circle { no, e1, e2, ni }
+///             Motor { 1, e12, e1^ni, e2^ni }
+///         }
+///     }
+/// }
+/// use conformal::{Circle, Motor, Point};
+///
+/// let motor = Unit::new(Motor::new(2.0, 0.0, -1.0, 0.0)).unwrap();
+/// let image: Point = motor.apply(Point::new(2.0, 1.0, 2.5));
+/// assert_eq!(image, Point::new(3.0, 1.0, 5.0));
+/// assert_eq!((motor * motor).linear_map::<Point>().apply(image), Point::new(5.0, 1.0, 13.0));
+///
+/// assert!(Point::try_from(Circle::new(1.0, 3.0, 1.0, 5.0)).is_ok());
+/// assert!(Point::try_from(Circle::new(1.0, 3.0, 1.0, 4.5)).is_err());
+/// ```
+///
 /// Mistakes are reported all at once, each on the token that is wrong; the structs are still
 /// emitted, so that completion keeps working.
 #[proc_macro]

@@ -27,6 +27,7 @@ ga_macros::define_algebra! {
             /// A vector of the plane.
             Vector2 { e1, e2 }
             /// A point of weight 1.
+            #[null]
             Point { no = 1, e1, e2, ni }
             /// A circle as vector, p − ½r² n_∞ times a weight; a line where the weight is zero.
             /// Its versor is the inversion in it.

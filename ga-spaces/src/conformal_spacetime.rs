@@ -34,6 +34,7 @@ ga_macros::define_algebra! {
             /// A bivector of spacetime: the generator of a Lorentz transformation.
             Bivector4 { x^t, y^t, z^t, x^y, x^z, y^z }
             /// An event of weight 1; read as an equation, its light cone.
+            #[null]
             Event { no = 1, t, x, y, z, ni }
             /// Any vector: an event with a weight; a hyperboloid of the events at one interval
             /// from a centre; a hyperplane where the weight is zero. Its versor is the

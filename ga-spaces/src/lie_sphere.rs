@@ -38,6 +38,7 @@ ga_macros::define_algebra! {
             /// A Euclidean vector.
             Vector3 { e1, e2, e3 }
             /// An oriented sphere of weight 1, a point where its radius is zero.
+            #[null]
             Sphere { no = 1, e1, e2, e3, ni, r }
             /// A vector without n_o, **n** + δ n_∞ + ρ r: an oriented plane where it is null.
             Plane { e1, e2, e3, ni, r }

@@ -60,12 +60,16 @@ impl Kind {
     pub fn completed(&self, mut numbers: Numbers) -> Numbers {
         let length = numbers.len();
         for form in &self.null {
-            let alone = |(first, second, _): &&(usize, usize, Rational)| {
+            let once = |(first, second, _): &&(usize, usize, Rational)| {
                 let mut terms = form.iter();
-                *second == length && terms.filter(|t| t.0 == *first || t.1 == *first).count() == 1
+                first != second && terms.filter(|t| t.0 == *first || t.1 == *first).count() == 1
             };
-            let (own, _, factor) = *form.iter().find(alone).expect("a linear coefficient");
+            let (own, other, factor) = *form.iter().find(once).expect("a linear coefficient");
+            if other < length && numbers[other] == Rational::ZERO {
+                numbers[other] = Rational::ONE;
+            }
             let value = |position: usize| numbers.get(position).copied().unwrap_or(Rational::ONE);
+            let factor = factor * value(other);
             let others = form.iter().filter(|(first, ..)| *first != own);
             let sum: Rational = others
                 .map(|(first, second, f)| value(*first) * value(*second) * f)

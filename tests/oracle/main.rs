@@ -13,6 +13,7 @@ mod laws;
 #[path = "../metrics/conformal.rs"]
 mod metrics;
 mod nine_dimensions;
+mod null;
 mod oblique;
 mod operation;
 mod operators;

@@ -24,6 +24,9 @@ macro_rules! check_everything {
             let oracle = oracle!($module $metric, units $units, $types);
             each_pair!(oracle, $module, $types, check_products);
             each_pair!(oracle, $module, $types, check_versors);
+            // In small algebras everything that versors apply to has a matrix.
+            let (all, matrices) = (oracle.applications.get(), oracle.matrices.get());
+            assert!(matrices == all || oracle.dimension > 4 && matrices > 0);
             each_pair!(oracle, $module, $types, check_conversions);
             each_pair!(oracle, $module, $types, check_divisions);
             each_pair!(oracle, $module, $types, check_operators);

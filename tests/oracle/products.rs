@@ -104,6 +104,7 @@ where
             stored: vec![0],
             signs: vec![Rational::ONE],
             fixed: Vec::new(),
+            null: Vec::new(),
         };
         let kinds = [Kind::of::<A>(), Kind::of::<B>(), number];
         on_samples(oracle, Product::ScalarProduct, kinds, |a, b| {

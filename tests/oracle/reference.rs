@@ -1,6 +1,6 @@
 //! The dense algebra as a table of blade products, and exact values that can be compared.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -37,6 +37,9 @@ pub struct Oracle {
     pub embeddings: &'static [(&'static str, &'static str)],
     /// How many operations have been compared.
     pub compared: RefCell<usize>,
+    /// How many applications and how many matrices were compared.
+    pub applications: Cell<usize>,
+    pub matrices: Cell<usize>,
     /// The versors of each type, any and those of norm 1, found when first asked for.
     pub versors: RefCell<HashMap<(String, bool), Vec<Numbers>>>,
     /// Divisors of each type with their inverses, found when first asked for.
@@ -55,6 +58,8 @@ impl Oracle {
             units,
             embeddings: &[],
             compared: RefCell::new(0),
+            applications: Cell::new(0),
+            matrices: Cell::new(0),
             versors: RefCell::default(),
             divisors: RefCell::default(),
             rows: RefCell::default(),

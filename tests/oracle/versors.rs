@@ -133,8 +133,38 @@ where
             let unit = Unit::promised(element::<V>(v));
             numbers(&Apply::apply(unit, element::<X>(x)))
         });
+        oracle.applications.set(oracle.applications.get() + 1);
     }
 }
+
+impl<V, X, R> Pair<V, X>
+where
+    V: Element<Number = Rational> + Outermorphism<X, Image = R, Number = Rational>,
+    V: Apply<X, Output = R>,
+    X: Element<Number = Rational>,
+    R: Element<Number = Rational>,
+{
+    /// The matrix does what the application does, alone and on slices of every length.
+    pub fn matrix(&self, oracle: &Oracle) {
+        let kinds = || [Kind::of::<V>(), Kind::of::<X>(), Kind::of::<R>()];
+        compare_applications(oracle, kinds(), |v, x| {
+            let map = ga::core::linear_map::linear_map::<V, X>(element(v));
+            numbers(&map.apply(element(x)))
+        });
+        compare_units(oracle, kinds(), |v, x| {
+            let map = Unit::promised(element::<V>(v)).linear_map::<X>();
+            numbers(&map.apply(element(x)))
+        });
+        oracle.matrices.set(oracle.matrices.get() + 1);
+    }
+}
+
+/// Whether a matrix is generated, the versor's own type decides.
+pub trait NoMatrix {
+    fn matrix(&self, _: &Oracle) {}
+}
+
+impl<V, X> NoMatrix for Pair<V, X> {}
 
 /// What is not generated cannot exist.
 pub trait NoVersor {
@@ -166,10 +196,11 @@ macro_rules! check_versors {
     ($oracle:ident, $module:ident, $V:ident, $X:ident) => {{
         type Q = ga::core::Rational;
         #[allow(unused_imports, reason = "used by pairs without versors")]
-        use crate::versors::NoVersor;
+        use crate::versors::{NoMatrix, NoVersor};
         let pair = crate::operation::Pair::<$module::$V<Q>, $module::$X<Q>>::new();
         pair.sandwich($oracle);
         pair.apply($oracle);
+        pair.matrix($oracle);
     }};
 }
 pub(crate) use check_versors;

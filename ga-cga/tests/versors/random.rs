@@ -72,9 +72,25 @@ impl Random {
         self.motor() * (self.sphere() * self.sphere())
     }
 
-    /// Any element with coefficients from −1 to 1.
+    /// Any element with coefficients from −1 to 1; of a type declared null, one of these is what
+    /// the others make it.
     pub fn element<X: Element<Number = f64>>(&mut self) -> X {
-        X::from_fn(|_| self.number())
+        let x = X::from_fn(|_| self.number());
+        let one = X::BLADES.len();
+        let mut determined = None;
+        for (_, form) in X::NULL {
+            let is_own = |own: usize| form.iter().filter(|t| t.0 == own || t.1 == own).count() == 1;
+            let own = form.iter().find(|term| term.1 == one && is_own(term.0));
+            let (own, _, factor, _) = *own.expect("a linear coefficient");
+            let value = |position: usize| if position == one { 1.0 } else { x.at(position) };
+            let others = form.iter().filter(|term| term.0 != own);
+            let sum: f64 = others.map(|t| value(t.0) * value(t.1) * t.2 as f64).sum();
+            determined = Some((own, -sum / factor as f64));
+        }
+        X::from_fn(|i| match determined {
+            Some((own, value)) if own == i => value,
+            _ => x.at(i),
+        })
     }
 }
 

@@ -83,7 +83,7 @@ pub trait ApplyUnit<X>: Versor {
 )]
 pub trait Outermorphism<X>: ApplyUnit<X> {
     /// The entries that are stored: an array for each coefficient of the result.
-    type Rows: Copy + PartialEq + core::fmt::Debug;
+    type Rows: Copy;
 
     /// From how many elements on the matrix costs fewer multiplications than applications one by
     /// one, the building included; `None` where it never does.

@@ -21,6 +21,7 @@ macro_rules! conformal {
                         /// A Euclidean vector.
                         Vector { $($axis),* }
                         /// A point of weight 1, n_o + **x** + ½**x**² n_∞.
+                        #[null]
                         Point { no = 1, $($axis,)* ni }
                         /// A sphere by its dual vector, of one dimension less than the space; a
                         /// plane where its weight is zero, a point where its radius is.

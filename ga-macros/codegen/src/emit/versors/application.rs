@@ -1,6 +1,7 @@
 //! Versor application: `V x̂ Ṽ` restricted to the grades of `x`, by the cheapest form known; one
 //! body serves the versors that are unit and those that are divided by their norm.
 
+mod costs;
 mod derivation;
 mod duality;
 mod kernels;
@@ -9,6 +10,7 @@ mod null;
 
 use std::fmt::Write;
 
+use self::costs::{Costs, record};
 use self::derivation::{Application, application, is_unit};
 use self::duality::{Duality, HandedOn};
 use self::kernels::multiples_read;
@@ -20,32 +22,6 @@ use crate::emit::unrolled::{self, Function, Lists};
 use crate::factor::{Cost, Kernel};
 use crate::ledger::Entry;
 use crate::model::Type;
-
-/// What an application costs.
-#[derive(Clone, Copy)]
-pub struct Costs {
-    /// Of a unit versor.
-    unit: Cost,
-    /// Of any versor whose inverse is known.
-    with: Cost,
-    /// Of any versor, a division besides; `None` for types that are unit by declaration.
-    divided: Option<Cost>,
-}
-
-impl Costs {
-    /// The costs as sentences.
-    fn sentence(costs: Option<Costs>) -> String {
-        let sentence = costs.map(|costs| match costs.divided {
-            None => format!(" Cost: at most {}.", expression::counts(costs.unit)),
-            Some(divided) => format!(
-                " Cost of a unit versor: at most {}; of any other: {}, 1 division.",
-                expression::counts(costs.unit),
-                expression::counts(divided)
-            ),
-        });
-        sentence.unwrap_or_default()
-    }
-}
 
 /// Emits sandwiches and applications of every type of one parity on every type.
 pub fn applications(generator: &mut Generator<'_>) {
@@ -295,36 +271,6 @@ fn apply(
         format!("{operand} => {output} {doc:?}")
     });
     by_sandwich
-}
-
-/// Notes what the application of a type costs, with and without the promise of being unit.
-fn record(
-    generator: &mut Generator<'_>,
-    [v, x]: [usize; 2],
-    output: usize,
-    costs: Option<Costs>,
-    form: &str,
-) {
-    let (versor, operand) = (generator.name(v), generator.name(x));
-    let (result, kind) = (generator.name(output), generator.kind(output));
-    let fields = kind.field_count();
-    let mut entry = |function: String, cost: Option<Cost>| {
-        generator.ledger.entries.push(Entry {
-            function,
-            result: result.clone(),
-            cost,
-            fields,
-            form: form.to_owned(),
-        });
-    };
-    match costs.map(|costs| (costs.unit, costs.divided)) {
-        None => entry(format!("{versor}.apply({operand})"), None),
-        Some((unit, None)) => entry(format!("{versor}.apply({operand})"), Some(unit)),
-        Some((unit, Some(divided))) => {
-            entry(format!("{versor}.apply({operand})"), Some(divided));
-            entry(format!("Unit<{versor}>.apply({operand})"), Some(unit));
-        }
-    }
 }
 
 /// Emits the body of an application, for whatever multiple of the versor is its inverse; gives

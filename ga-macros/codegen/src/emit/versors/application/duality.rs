@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::Costs;
+use super::costs::Costs;
 use super::derivation::SMALL_ALGEBRA;
 use crate::emit::Generator;
 use crate::emit::involutions::{dual_image, undual_image};

@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 use std::fmt::Write;
 
-use super::Costs;
+use super::costs::Costs;
 use super::duality::{Duality, HandedOn};
 use crate::emit::Generator;
 use crate::factor::Cost;
@@ -128,7 +128,7 @@ pub fn matrices(
                     let _ = write!(own, "{} {sign} [{}] ", field.field, columns.join(" "));
                 }
                 own.push_str("} ");
-                let form = format!("matrix, built by {columns} applications");
+                let form = format!("matrix, from {columns} columns");
                 record(generator, types, result, (cost, pattern.entries()), form);
                 duality.note_matrix(types, (cost, pattern.entries()));
             }

@@ -1,0 +1,9 @@
+//! Null elements of a definite metric.
+
+ga::define_algebra! {
+    mod wrong: R3 {
+        types { #[null] Direction { e1, e2, e3 } }
+    }
+}
+
+fn main() {}
