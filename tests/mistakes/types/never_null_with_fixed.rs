@@ -7,7 +7,6 @@ ga::define_algebra! {
         types {
             #[null] Event { t = 1, x, y }
             #[null] Place { x = 1, y }
-            #[null] Even = even;
         }
     }
 }
