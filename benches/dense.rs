@@ -4,16 +4,11 @@
 //!
 //! Builds for newer machines: `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench dense`.
 
-#[path = "dense/direct.rs"]
-mod direct;
-
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use ga::core::Scalar;
-use ga::core::ops::{Element, Geometric};
-
-use direct::Direct;
+use ga::core::ops::{Element, Geometric, TermByTerm};
 
 /// Algebras without other types and products, which take long to compile.
 macro_rules! algebras {
@@ -33,7 +28,7 @@ algebras! {
     r4_1 R4_1 { a b c d e } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = 1, e^2 = -1 }
     conformal R4_1 { a b c no ni } { a^2 = 1, b^2 = 1, c^2 = 1, no.ni = -1 }
     r3_2 R3_2 { a b c d e } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = -1, e^2 = -1 }
-    r4_0_1 R4_0_1 { a b c d o } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = 1 }
+    r5_0_1 R5_0_1 { a b c d e o } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = 1, e^2 = 1 }
     r6 R6 { a b c d e f } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = 1, e^2 = 1, f^2 = 1 }
     r3_3 R3_3 { a b c d e f } { a^2 = 1, b^2 = 1, c^2 = 1, d^2 = -1, e^2 = -1, f^2 = -1 }
     r2_4 R2_4 { a b c d e f } { a^2 = 1, b^2 = 1, c^2 = -1, d^2 = -1, e^2 = -1, f^2 = -1 }
@@ -49,11 +44,11 @@ algebras! {
 }
 
 /// Nanoseconds per product.
-fn nanoseconds<A, B>() -> f64
+fn nanoseconds<A, B, R>(multiply: impl Fn(A, B) -> R) -> f64
 where
-    A: Element + Geometric<B>,
+    A: Element,
     B: Element<Number = A::Number>,
-    A::Output: Element,
+    R: Element<Number = A::Number>,
 {
     const COUNT: usize = 128;
     let mut state = 1_i64;
@@ -63,16 +58,15 @@ where
     };
     let a: Vec<A> = (0..COUNT).map(|_| A::from_fn(|_| next())).collect();
     let b: Vec<B> = (0..COUNT).map(|_| B::from_fn(|_| next())).collect();
-    let multiply = |(a, b): (&A, &B)| a.geometric(*b);
-    let mut products: Vec<A::Output> = a.iter().zip(&b).map(multiply).collect();
+    let mut products = vec![R::from_fn(|_| R::Number::ZERO); COUNT];
     let mut best = f64::INFINITY;
     let mut windows = 0;
     let start = Instant::now();
     while windows < 10 || start.elapsed() < Duration::from_millis(100) {
         windows += 1;
         let window = Instant::now();
-        for (product, operands) in products.iter_mut().zip(a.iter().zip(&b)) {
-            *product = multiply(operands);
+        for (product, (a, b)) in products.iter_mut().zip(a.iter().zip(&b)) {
+            *product = multiply(*a, *b);
         }
         black_box(&mut products);
         best = best.min(window.elapsed().as_secs_f64() * 1e9 / COUNT as f64);
@@ -90,13 +84,16 @@ fn print(signature: &str, [left, right]: [&str; 2], scalar: &str, direct: f64, m
 macro_rules! rows {
     ($($module:ident: $($Left:ident $Right:ident),*;)*) => {$($({
         let (name, types) = (stringify!($module), [stringify!($Left), stringify!($Right)]);
-        let direct = nanoseconds::<$module::$Left<Direct<f64>>, $module::$Right<Direct<f64>>>();
-        let matrices = nanoseconds::<$module::$Left<f64>, $module::$Right<f64>>();
-        print(name, types, "f64", direct, matrices);
-        let direct = nanoseconds::<$module::$Left<Direct<f32>>, $module::$Right<Direct<f32>>>();
-        let matrices = nanoseconds::<$module::$Left<f32>, $module::$Right<f32>>();
-        print(name, types, "f32", direct, matrices);
+        { rows!(@of f64 name types $module $Left $Right); }
+        { rows!(@of f32 name types $module $Left $Right); }
     })*)*};
+    (@of $float:ident $name:ident $types:ident $module:ident $Left:ident $Right:ident) => {
+        type A = $module::$Left<$float>;
+        type B = $module::$Right<$float>;
+        let direct = nanoseconds(|a: A, b: B| a.term_by_term(b));
+        let matrices = nanoseconds(|a: A, b: B| a.geometric(b));
+        print($name, $types, stringify!($float), direct, matrices);
+    };
 }
 
 fn main() {
@@ -105,13 +102,13 @@ fn main() {
         "signature", "left", "right", "", "direct ns", "matrix ns", "ratio"
     );
     rows! {
-        r4_1: Multivector Multivector;
-        conformal: Multivector Multivector;
-        r3_2: Multivector Multivector;
-        r4_0_1: Multivector Multivector;
+        r4_1: Multivector Multivector, Even Even, Even Odd, Odd Odd;
+        conformal: Multivector Multivector, Even Even, Even Odd, Odd Odd;
+        r3_2: Multivector Multivector, Even Even;
         r6: Multivector Multivector, Even Even, Odd Odd, Even Multivector;
         r3_3: Multivector Multivector, Even Even, Odd Odd, Even Multivector;
         r2_4: Multivector Multivector, Even Even, Odd Odd, Even Multivector;
+        r5_0_1: Multivector Multivector, Even Even, Even Multivector;
         r7: Multivector Multivector, Even Even, Odd Even;
         r8: Multivector Multivector, Even Even, Odd Even;
         r4_4: Multivector Multivector, Even Even, Odd Even;
