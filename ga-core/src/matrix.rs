@@ -18,6 +18,22 @@
 //! above and below the diagonal, up to a factor 2: they are copied, not mixed. So elements of
 //! different conformal weight never meet in a sum.
 //!
+//! **When.** Nanoseconds per product of f64 on one loaded core of a Zen 5 server, built for
+//! x86-64-v3, term by term and through matrices (`cargo bench --bench dense` prints all):
+//!
+//! | | all blades | even blades |
+//! |---|---|---|
+//! | R4,1: 4×4 complex, 2×2 quaternion | 120, 42 | 25, 15 |
+//! | R4,1 in the null basis | 102, 60 | 23, 14 |
+//! | R6: 4×4 quaternion, 4×4 complex | 6,366, 286 | 2,024, 55 |
+//! | R5,0,1: three products of 2×2 quaternion, twice | 5,499, 377 | 1,846, 193 |
+//! | R7: 8×8 complex, 4×4 quaternion twice | 24,767, 702 | 6,082, 302 |
+//! | R4,4: 16×16 real, 8×8 real twice | 592,793, 1,883 | 24,533, 697 |
+//!
+//! In five dimensions, where products term by term are unrolled, those with a vector of square
+//! zero and those of an even or odd element with a general one are no faster through matrices,
+//! so they stay as they are.
+//!
 //! **Rounding.** Coefficients that vanish exactly in the direct product are here differences of
 //! equal sums: rounding noise relative to the largest coefficients of the operands. An infinity
 //! or a NaN in one coefficient spoils many of the result.

@@ -111,7 +111,7 @@ impl Samples {
     fn of(&mut self, parity: Parity, count: usize) -> Vec<f64> {
         let has = |mask: usize| match parity {
             Parity::Both => true,
-            Parity::Even => mask.count_ones() % 2 == 0,
+            Parity::Even => mask.count_ones().is_multiple_of(2),
             Parity::Odd => mask.count_ones() % 2 == 1,
         };
         (0..count)
