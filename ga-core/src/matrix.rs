@@ -26,8 +26,8 @@
 //! | R4,1: 4×4 complex, 2×2 quaternion | 120, 42 | 25, 15 |
 //! | R4,1 in the null basis | 102, 60 | 23, 14 |
 //! | R6: 4×4 quaternion, 4×4 complex | 6,366, 286 | 2,024, 55 |
-//! | R5,0,1: three products of 2×2 quaternion, twice | 5,499, 377 | 1,846, 193 |
-//! | R7: 8×8 complex, 4×4 quaternion twice | 24,767, 702 | 6,082, 302 |
+//! | R5,0,1: six products, three products of 2×2 quaternion | 5,499, 377 | 1,846, 193 |
+//! | R7: 8×8 complex, 8×8 real | 24,767, 702 | 6,082, 302 |
 //! | R4,4: 16×16 real, 8×8 real twice | 592,793, 1,883 | 24,533, 697 |
 //!
 //! In five dimensions, where products term by term are unrolled, those with a vector of square
