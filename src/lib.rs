@@ -2,7 +2,8 @@
 //!
 //! [`define_algebra!`] turns a metric into plain structs with unrolled, simplified products.
 //! [`cga`] is the conformal model of Euclidean 3-space generated this way, [`design`] makes
-//! structures with it, and [`core`] holds the mathematics of blades that both stand on.
+//! structures with it, and [`core`] holds the mathematics of blades that both stand on. With the
+//! feature `lanes`, `ga::lanes` computes batches of elements at the speed of the machine.
 //!
 //! ```
 //! ga::define_algebra!(R3);
@@ -22,6 +23,9 @@ pub use ga_cga as cga;
 pub use ga_core as core;
 #[doc(inline)]
 pub use ga_design as design;
+#[cfg(feature = "lanes")]
+#[doc(inline)]
+pub use ga_lanes as lanes;
 #[cfg(feature = "spaces")]
 #[doc(inline)]
 pub use ga_spaces as spaces;
@@ -77,6 +81,8 @@ macro_rules! algebra_source {
 pub mod prelude {
     pub use crate::core::ops::*;
     pub use crate::core::{Blade, Field, Real, Scalar, Unit};
+    #[cfg(feature = "lanes")]
+    pub use crate::lanes::{Batch, One};
     pub use crate::{algebra_source, define_algebra};
 }
 
