@@ -18,6 +18,8 @@ ga_macros::define_algebra! {
             Point { no = 1, e1, e2, e3, ni }
             /// Any vector.
             DualSphere { no, e1, e2, e3, ni }
+            /// A line, the generator of a motor.
+            DualLine { e12, e13, e23, e1^ni, e2^ni, e3^ni }
             /// A circle.
             Circle = grade 3;
             /// A rigid motion, a unit versor.
@@ -27,7 +29,7 @@ ga_macros::define_algebra! {
     }
 }
 
-use conformal::{Circle, Motor, Point};
+use conformal::{Circle, DualLine, Motor, Point};
 
 /// As many fused multiply-adds as the machine can do: chains that do not wait for each other.
 struct Peak(u32);
@@ -87,11 +89,17 @@ fn row(
 ) {
     let time = least_seconds(|| (0..repetitions).for_each(|_| function()));
     let each = time / (len * repetitions) as f64 * 1e9;
-    println!(
-        "  {name:36} {each:8.3} ns, {:5.1} slots of a multiply-add, {:4.0} % of the peak for {slots}",
-        each * peak,
-        slots / (each * peak) * 100.0
+    print!(
+        "  {name:24} {each:8.3} ns, time for {:5.1} multiply-adds",
+        each * peak
     );
+    if slots > 0.0 {
+        print!(
+            ", {:3.0} % of the peak for {slots}",
+            slots / (each * peak) * 100.0
+        );
+    }
+    println!();
 }
 
 macro_rules! report {
@@ -114,9 +122,17 @@ macro_rules! report {
         row("motor motor", len, 100, peak, 48.0, || {
             let _ = motors.geometric_into(black_box(&motors), black_box(&mut products));
         });
+        let generators = batch::<DualLine<$float>>(len);
+        row("exponentials", len, 20, peak, 0.0, || {
+            black_box(black_box(&generators).exp());
+        });
+        let versors = generators.exp();
+        row("logarithms", len, 20, peak, 0.0, || {
+            black_box(black_box(&versors).log());
+        });
         if let Some(one) = one {
             let mut images = Batch::new();
-            row("one motor on points", len, 200, peak, 12.0, || {
+            row("one motor on points", len, 200, peak, 32.0, || {
                 one.apply_into(black_box(&points), black_box(&mut images));
             });
             let len = (64 << 20) / size_of::<Point<$float>>();

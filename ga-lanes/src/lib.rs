@@ -1,4 +1,60 @@
 //! Batches of generated elements, computed in SIMD lanes chosen at run time.
+//!
+//! A [`Batch`] holds elements of one generated type coefficient by coefficient. Its operations are
+//! those of the type, on all elements: with another batch element by element, or with [`One`]
+//! element that meets every other. What has no value for some elements — logarithms, roots,
+//! inverses — gives a [`Partial`] batch, an `Option` for each.
+//!
+//! ```
+//! use ga_lanes::{Batch, One};
+//! # ga_macros::define_algebra! { crate = ga_core; R3 }
+//! use r3::{Bivector, Vector};
+//!
+//! let angles = [0.1, 0.2, 0.3];
+//! let generators: Batch<Bivector> = angles.iter().map(|a| Bivector::new(-a / 2.0, 0.0, 0.0)).collect();
+//! let rotors = generators.exp();
+//! let images = rotors.apply(One(Vector::new(1.0, 0.0, 0.0)))?;
+//! let angle = |x: Vector| x.e2.atan2(x.e1);
+//! for (image, expected) in images.iter().zip(angles) {
+//!     assert!((angle(image) - expected).abs() < 1e-12);
+//! }
+//! assert_eq!(rotors.log().all()?.len(), 3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//! # How targets are chosen
+//! Every operation is compiled for each [`Target`] — the vectors of the compiler's own target,
+//! AVX2 with fused multiply-add, AVX-512 — and the widest that the machine has is found when the
+//! program runs. [`Target::scope`] chooses another one for comparisons. A function of one's own
+//! ([`Batch::map`], [`Batch::zip_map`]) or a whole [`Kernel`] is compiled and chosen the same way.
+//! It has to be `#[inline(always)]`, with all it calls in its inner loop; generated functions are,
+//! by the feature `inlined` of ga-core, in optimised builds.
+//!
+//! The portable target computes what single elements do, number for number, wherever the compiler
+//! fuses neither; the others round a multiply-add once. What lies in one element never reaches
+//! another one.
+//!
+//! # Elements in slices
+//! For single elements and slices of them the compiler decides alone. The default x86-64 target
+//! leaves fused multiply-add and wide vectors unused: build with
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3"`. [`Batch::from_slice`] and [`Batch::to_vec`] turn slices
+//! into batches and back, which costs about as much as copying them twice; that pays where an
+//! operation costs more, or where several follow one another.
+//!
+//! # Limits
+//! Exponentials, and what has no value for some elements, run in the portable lanes on every
+//! machine: their algorithms are too long to be inlined, and in wider lanes each operation would
+//! be a call; a function of one's own that contains one is slow for the same reason.
+//!
+//! Numbers are `f32` and `f64`. In builds for debugging lanes are slower than single elements.
+//! With the feature `rayon` batches of some thousand elements on are spread over all cores, with
+//! the same results.
+//!
+//! # Unsafe code
+//! This crate is the only one of the project with any, because the instructions of a target are
+//! not safe to call where the compiler does not know the target, and operators on lanes are such a
+//! place. It is in the operators on vectors, in the call of the function that is compiled for a
+//! target, and in the access to columns of whole cache lines, each with its reason. Vectors cannot
+//! be had outside of a kernel, and kernels run on targets that were found only.
 
 mod batch;
 mod dispatch;

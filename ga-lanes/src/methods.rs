@@ -10,6 +10,7 @@ use crate::operand::{One, Operand};
 use crate::operation::fallible::{self, Attempt, AttemptEverywhere};
 use crate::operation::{Everywhere, Map, Mapping, Values, ZipMap, Zipping, named};
 use crate::partial::Partial;
+use crate::target::Target;
 use crate::task::{Fill, Part, Replace, Try, execute};
 
 /// Two batches of different lengths were to be combined element by element.
@@ -272,8 +273,6 @@ unary! {
     NormSquared norm_squared
     /// The norms `√|⟨X X̃⟩|`.
     Norm norm
-    /// The exponentials.
-    Exponential exp
     /// The negatives.
     Opposite opposite
 }
@@ -295,7 +294,9 @@ macro_rules! attempts {
                 let mut exists = vec![false; self.len()];
                 let (operation, columns) = (&fallible::$name, values.view_mut());
                 let part = Part { columns, start: 0 };
+                Target::Portable.scope(|| {
                 execute::<F, _>(Try { from: self, operation, part, exists: &mut exists });
+                });
                 Partial::new(values, exists)
             }
         )*}
@@ -313,6 +314,27 @@ attempts! {
     SquareRoot sqrt
     /// The unit versors `(X X̃)^(−1/2) X`, without the drift of rounding.
     Renormalize renormalized
+}
+
+/// Exponentials, whose algorithms are too long to be inlined into the function of a target: they
+/// run in the portable lanes, as logarithms and roots do.
+impl<X, F> Batch<X>
+where
+    F: Number,
+    X: Element<Number = F> + Send + Sync,
+{
+    /// The exponentials.
+    pub fn exp(&self) -> Batch<Of<named::Exponential, F, X>>
+    where
+        named::Exponential: Everywhere<F, X, F>,
+    {
+        let mut out = Batch::new();
+        Target::Portable.scope(|| {
+            let operation = &named::Exponential;
+            fill(nothing::<F>(), self, operation, self.len(), &mut out);
+        });
+        out
+    }
 }
 
 /// Functions of one's own.

@@ -5,6 +5,7 @@ mod container;
 mod functions;
 mod neighbours;
 mod operations;
+mod parallel;
 mod samples;
 
 ga_macros::define_algebra! {

@@ -1,5 +1,6 @@
 //! Products, versors, involutions: what has a value for every element.
 
+use ga_core::Unit;
 use ga_lanes::{Batch, LengthMismatch, One};
 
 use super::plane;
@@ -138,6 +139,29 @@ fn operations_in_place_replace_the_right_operand() {
             One(one).apply_in_place(&mut batch);
             let moved: Vec<_> = points.iter().map(|p| one.apply(*p)).collect();
             assert_same(&batch, &moved, "apply_in_place");
+        }
+    });
+}
+
+#[test]
+fn unit_versors_apply_as_single_ones_do() {
+    on_every_target(|| {
+        for len in LENGTHS {
+            let rotors: Vec<_> = elements::<r3::Even<f64>>(len, 14)
+                .into_iter()
+                .filter_map(Unit::new)
+                .collect();
+            let vectors = elements::<r3::Vector<f64>>(len, 15);
+            let (units, batch) = (Batch::from_slice(&rotors), Batch::from_slice(&vectors));
+            let pairs = rotors.iter().zip(&vectors);
+            let turned: Vec<_> = pairs.map(|(r, x)| r.apply(*x)).collect();
+            assert_same(&units.apply(&batch).unwrap(), &turned, "apply");
+            let back: Vec<_> = rotors.iter().map(|r| r.reverse()).collect();
+            assert_same(&units.reverse(), &back, "reverse");
+            if let Some(one) = rotors.first() {
+                let turned: Vec<_> = vectors.iter().map(|x| one.apply(*x)).collect();
+                assert_same(&One(*one).apply(&batch), &turned, "apply");
+            }
         }
     });
 }
