@@ -16,7 +16,8 @@ pub struct Arguments {
     #[arg(value_name = "SIGNATURE|FILE")]
     algebra: PathBuf,
     /// Print one line for each function instead: what it gives, its multiplications and additions,
-    /// the fields of its result, and how it was derived.
+    /// the fields of its result, how it was derived, and its operations where an addition and the
+    /// product that it adds are one.
     #[arg(long)]
     ledger: bool,
     /// Print the Rust or the ledger as JSON.
@@ -30,7 +31,7 @@ const EXAMPLES: &str = "Examples:
   articulate expand src/algebra.rs --ledger --json";
 
 const JSON: &str = "Print JSON: {source}, or with --ledger {functions:[{function, result, multiplications, \
-                    additions, fields, form}], tokens}; a count is null where a function hands on to \
+                    additions, fields, form, fused}], tokens}; a count is null where a function hands on to \
                     another";
 
 #[derive(Serialize)]
@@ -52,6 +53,7 @@ struct Function {
     additions: Option<usize>,
     fields: usize,
     form: String,
+    fused: Option<usize>,
 }
 
 /// Expands the algebra and prints what was asked for.
@@ -90,20 +92,16 @@ fn ledger(calls: &source::Calls) -> Result<Ledger, Failure> {
     for text in &calls.texts {
         let one = ga_codegen::ledger(text).map_err(|mistakes| calls.mistaken(&mistakes))?;
         all.tokens += one.tokens;
-        all.functions.extend(one.entries.into_iter().map(|entry| {
-            let (multiplications, additions) = entry
-                .cost
-                .map(|cost| (cost.multiplications, cost.additions))
-                .unzip();
-            Function {
+        all.functions
+            .extend(one.entries.into_iter().map(|entry| Function {
                 function: entry.function,
                 result: entry.result,
-                multiplications,
-                additions,
+                multiplications: entry.cost.map(|cost| cost.multiplications),
+                additions: entry.cost.map(|cost| cost.additions),
                 fields: entry.fields,
                 form: entry.form,
-            }
-        }));
+                fused: entry.cost.map(|cost| cost.fused),
+            }));
     }
     Ok(all)
 }
@@ -117,6 +115,7 @@ fn aligned(ledger: &Ledger) -> String {
         "additions",
         "fields",
         "form",
+        "fused",
     ]
     .map(str::to_owned);
     let count = |count: Option<usize>| count.map_or_else(|| "-".to_owned(), |n| n.to_string());
@@ -129,6 +128,7 @@ fn aligned(ledger: &Ledger) -> String {
             count(row.additions),
             row.fields.to_string(),
             row.form.clone(),
+            count(row.fused),
         ]
     }));
     format!("{}{} tokens\n", output::table(&rows), ledger.tokens)

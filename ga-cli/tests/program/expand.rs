@@ -37,6 +37,8 @@ fn the_ledger_counts_for_people_and_programs() {
         row.map(|row| row["multiplications"].clone()),
         Some(6.into())
     );
+    // Each difference is a product and a fused operation.
+    assert_eq!(row.map(|row| row["fused"].clone()), Some(6.into()));
     assert!(value["tokens"].as_u64().is_some_and(|tokens| tokens > 1000));
 }
 

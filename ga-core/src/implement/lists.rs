@@ -4,6 +4,7 @@ mod application;
 mod conversions;
 mod exponentials;
 mod inverses;
+mod kernels;
 mod linear_maps;
 mod logarithms;
 mod products;

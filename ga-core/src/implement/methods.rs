@@ -180,44 +180,47 @@ macro_rules! element_methods {
         }
 
         impl<T: $crate::Field> $Name<T> {
-            /// The matrix of this versor on elements of type `X`: one versor on many elements.
-            /// One application for each coefficient of `X`.
-            #[inline]
-            pub fn linear_map<X>(self) -> $crate::LinearMap<Self, X>
-            where
-                Self: $crate::ops::Outermorphism<X, Number = T>,
-            {
-                $crate::linear_map::linear_map(self)
+            $crate::inlined! {
+                /// The matrix of this versor on elements of type `X`: one versor on many elements.
+                /// One application for each coefficient of `X`.
+                pub fn linear_map<X>(self) -> $crate::LinearMap<Self, X>
+                where
+                    Self: $crate::ops::Outermorphism<X, Number = T>,
+                {
+                    $crate::linear_map::linear_map(self)
+                }
             }
 
-            /// The images of all elements of a slice under this versor, which is divided by its
-            /// norm once; by its matrix where that takes fewer multiplications.
-            ///
-            /// # Errors
-            /// [`LengthMismatch`]($crate::LengthMismatch) where the slices are of different
-            /// lengths; nothing is written then.
-            #[inline]
-            pub fn apply_slice<X: ::core::marker::Copy>(
-                self,
-                elements: &[X],
-                images: &mut [<Self as $crate::ops::ApplyUnit<X>>::Image],
-            ) -> ::core::result::Result<(), $crate::LengthMismatch>
-            where
-                Self: $crate::ops::Outermorphism<X, Number = T>,
-            {
-                let w = $crate::ops::Versor::over_norm(self);
-                $crate::linear_map::apply_slice(self, w, elements, images)
+            $crate::inlined! {
+                /// The images of all elements of a slice under this versor, which is divided by its
+                /// norm once; by its matrix where that takes fewer multiplications.
+                ///
+                /// # Errors
+                /// [`LengthMismatch`]($crate::LengthMismatch) where the slices are of different
+                /// lengths; nothing is written then.
+                pub fn apply_slice<X: ::core::marker::Copy>(
+                    self,
+                    elements: &[X],
+                    images: &mut [<Self as $crate::ops::ApplyUnit<X>>::Image],
+                ) -> ::core::result::Result<(), $crate::LengthMismatch>
+                where
+                    Self: $crate::ops::Outermorphism<X, Number = T>,
+                {
+                    let w = $crate::ops::Versor::over_norm(self);
+                    $crate::linear_map::apply_slice(self, w, elements, images)
+                }
             }
 
-            /// Replaces every element of a slice by its image under this versor, where that is of
-            /// the same type; by the matrix where that takes fewer multiplications.
-            #[inline]
-            pub fn apply_slice_in_place<X: ::core::marker::Copy>(self, elements: &mut [X])
-            where
-                Self: $crate::ops::Outermorphism<X, Number = T, Image = X>,
-            {
-                let w = $crate::ops::Versor::over_norm(self);
-                $crate::linear_map::apply_slice_in_place(self, w, elements);
+            $crate::inlined! {
+                /// Replaces every element of a slice by its image under this versor, where that is of
+                /// the same type; by the matrix where that takes fewer multiplications.
+                pub fn apply_slice_in_place<X: ::core::marker::Copy>(self, elements: &mut [X])
+                where
+                    Self: $crate::ops::Outermorphism<X, Number = T, Image = X>,
+                {
+                    let w = $crate::ops::Versor::over_norm(self);
+                    $crate::linear_map::apply_slice_in_place(self, w, elements);
+                }
             }
         }
 

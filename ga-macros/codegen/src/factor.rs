@@ -1,11 +1,22 @@
-//! Straight-line kernels: which intermediate values are named, and what the result costs.
+//! Straight-line kernels, and how a cheaper one is found: constants are moved out of temporaries
+//! (`prepare`), shared values are named as long as that saves anything (`divisors`, `extract`) by
+//! the model of `cost`, and names that turn out to be of no use are taken back (`tidy`).
 
+mod cost;
+mod cube;
+mod divisors;
+mod extract;
+mod network;
+mod prepare;
+mod tidy;
+
+use std::borrow::Cow;
 use std::ops::Add;
 
-use ga_core::Rational;
-use num_traits::{One, Signed};
+use crate::poly::{Poly, Variable};
 
-use crate::poly::{Monomial, Poly, Variable};
+pub use cost::Cost;
+use network::Network;
 
 /// A function body: temporaries first, then one polynomial per field of the result.
 ///
@@ -20,7 +31,7 @@ pub struct Kernel {
     /// The fields of the result.
     pub outputs: Vec<Poly>,
     /// How the kernel was derived, for the ledger.
-    pub form: &'static str,
+    pub form: Cow<'static, str>,
 }
 
 /// The operand number of temporaries.
@@ -32,36 +43,6 @@ pub const RECIPROCAL: u8 = 3;
 /// The operand number of the multiple of a versor whose reverse is the inverse.
 pub const MULTIPLE: u8 = 4;
 
-/// Operation counts of a kernel. Doublings are counted with the additions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Cost {
-    /// Multiplications, doublings apart.
-    pub multiplications: usize,
-    /// Additions, subtractions and doublings.
-    pub additions: usize,
-}
-
-impl Cost {
-    /// So many multiplications and nothing else.
-    pub fn multiplying(multiplications: usize) -> Cost {
-        Cost {
-            multiplications,
-            additions: 0,
-        }
-    }
-}
-
-impl Add for Cost {
-    type Output = Cost;
-
-    fn add(self, other: Cost) -> Cost {
-        Cost {
-            multiplications: self.multiplications + other.multiplications,
-            additions: self.additions + other.additions,
-        }
-    }
-}
-
 impl Kernel {
     /// A kernel without temporaries.
     pub fn expanded(outputs: Vec<Poly>) -> Kernel {
@@ -69,7 +50,7 @@ impl Kernel {
             divisor: None,
             temporaries: Vec::new(),
             outputs,
-            form: "expanded",
+            form: "expanded".into(),
         }
     }
 
@@ -83,23 +64,22 @@ impl Kernel {
 
     /// What the kernel costs as it is emitted.
     pub fn cost(&self) -> Cost {
-        let mut cost = Cost::default();
-        for poly in self.polynomials() {
-            for (factor, group) in by_factor(poly) {
-                cost.multiplications += group
-                    .iter()
-                    .map(|(monomial, _)| monomial.degree().saturating_sub(1))
-                    .sum::<usize>();
-                let variable = group.iter().any(|(monomial, _)| monomial.degree() > 0);
-                if factor == Rational::from_integer(2) && variable {
-                    cost.additions += 1;
-                } else if !factor.is_one() && variable {
-                    cost.multiplications += 1;
-                }
-            }
-            cost.additions += poly.len().saturating_sub(1);
+        self.polynomials()
+            .map(Cost::of)
+            .fold(Cost::default(), Cost::add)
+    }
+
+    /// The cheapest kernel found for the same functions: with common factors taken out and shared
+    /// values named, or this one where that saves nothing.
+    ///
+    /// Only ring operations on exact constants, so that integers and rationals give the same values;
+    /// nothing is multiplied out, so that no rounding error grows beyond that of the largest term.
+    pub fn factored(self) -> Kernel {
+        match self.terms() <= MOST_TERMS {
+            true => factored(&self).filter(|found| found.cost() < self.cost()),
+            false => None,
         }
-        cost
+        .unwrap_or(self)
     }
 
     /// The kernel without the temporaries that no output needs, the others numbered anew, and
@@ -158,21 +138,21 @@ impl Kernel {
     }
 }
 
-/// The terms of a polynomial grouped by the absolute value of their coefficient, so that a
-/// common factor is multiplied once; within a group positive terms stand first.
-pub fn by_factor(poly: &Poly) -> Vec<(Rational, Vec<(Monomial, bool)>)> {
-    let mut groups: Vec<(Rational, Vec<(Monomial, bool)>)> = Vec::new();
-    for (monomial, value) in poly.terms() {
-        let factor = value.abs();
-        let entry = (*monomial, value.is_negative());
-        match groups.iter_mut().find(|(known, _)| *known == factor) {
-            Some((_, group)) => group.push(entry),
-            None => groups.push((factor, vec![entry])),
-        }
+/// How many terms a kernel may have for shared values to be looked for.
+const MOST_TERMS: usize = 800;
+
+fn factored(kernel: &Kernel) -> Option<Kernel> {
+    let prepared = prepare::prepared(kernel)?;
+    let mut network = Network::new(&prepared)?;
+    // Names that are taken back can leave products that others share.
+    while extract::extract(&mut network) {
+        tidy::tidy(&mut network);
     }
-    for (_, group) in &mut groups {
-        group.sort_by_key(|(_, negative)| *negative);
-    }
-    groups.sort_by_key(|(_, group)| group[0].1);
-    groups
+    let mut result = network.kernel(&prepared)?;
+    // What was written term by term has no other name than what it has become.
+    result.form = match &*kernel.form {
+        "expanded" => "factored".into(),
+        form => format!("{form}, factored").into(),
+    };
+    Some(result)
 }

@@ -32,16 +32,19 @@ impl fmt::Display for Ledger {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "function | result | multiplications | additions | fields | form"
+            "function | result | multiplications | additions | fields | form | fused"
         )?;
         for entry in &self.entries {
-            let (multiplications, additions) = match entry.cost {
-                Some(cost) => (cost.multiplications.to_string(), cost.additions.to_string()),
-                None => ("-".to_owned(), "-".to_owned()),
+            let counts = entry
+                .cost
+                .map(|cost| [cost.multiplications, cost.additions, cost.fused]);
+            let [multiplications, additions, fused] = match counts {
+                Some(counts) => counts.map(|count| count.to_string()),
+                None => ["-"; 3].map(str::to_owned),
             };
             writeln!(
                 f,
-                "{} | {} | {multiplications} | {additions} | {} | {}",
+                "{} | {} | {multiplications} | {additions} | {} | {} | {fused}",
                 entry.function, entry.result, entry.fields, entry.form
             )?;
         }

@@ -18,11 +18,14 @@ pub struct Variable {
 
 /// A product of at most four variables, sorted; the unused places are `None` and stand first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Monomial([Option<Variable>; 4]);
+pub struct Monomial([Option<Variable>; Monomial::LARGEST]);
 
 impl Monomial {
+    /// How many variables a product may have.
+    pub const LARGEST: usize = 4;
+
     /// The empty product.
-    pub const ONE: Monomial = Monomial([None; 4]);
+    pub const ONE: Monomial = Monomial([None; Monomial::LARGEST]);
 
     /// One variable.
     pub fn of(variable: Variable) -> Monomial {
@@ -41,7 +44,7 @@ impl Monomial {
 
     /// The product; degrees add up to at most four.
     pub fn times(&self, other: &Monomial) -> Monomial {
-        let mut result = [None; 4];
+        let mut result = [None; Monomial::LARGEST];
         let factors = self.variables().chain(other.variables());
         for (place, factor) in result.iter_mut().zip(factors) {
             *place = Some(factor);
@@ -83,6 +86,14 @@ impl Poly {
     /// The terms in order.
     pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &Rational)> {
         self.terms.iter()
+    }
+
+    /// The coefficient of a monomial.
+    pub fn coefficient(&self, monomial: &Monomial) -> Rational {
+        self.terms
+            .get(monomial)
+            .copied()
+            .unwrap_or_else(Rational::zero)
     }
 
     /// The number of terms.

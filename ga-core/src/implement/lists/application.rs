@@ -108,7 +108,11 @@ macro_rules! versor {
     // Unit by promise: normalised all the same, for rounding.
     (@promised $this:ident $T:ident) => {{
         let positive = $T::ZERO.all_le($crate::ops::NormSquared::norm_squared($this));
-        if positive { $this.normalized() } else { ::core::option::Option::None }
+        if positive {
+            $this.normalized()
+        } else {
+            ::core::option::Option::None
+        }
     }};
     // Unit by its fixed coefficients, as long as the others are numbers.
     (@fixed $this:ident $T:ident) => {{

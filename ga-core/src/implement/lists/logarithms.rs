@@ -62,9 +62,10 @@ macro_rules! versor_functions {
                     )
                 }
             }
-            #[inline]
-            fn log_of_unit(self) -> ::core::option::Option<$Bivector<T>> {
-                $crate::algorithm::$of_unit::<T, _, $Bivector<T>, $Fourth<T>>(self)
+            $crate::inlined! {
+                fn log_of_unit(self) -> ::core::option::Option<$Bivector<T>> {
+                    $crate::algorithm::$of_unit::<T, _, $Bivector<T>, $Fourth<T>>(self)
+                }
             }
         }
         impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {

@@ -1,29 +1,35 @@
 //! Products of two operands: unrolled, vanishing, shared with another function, by reference.
 
-/// Functions of two operands with bodies of their own: one implementation for each.
+/// Functions of two operands with bodies of their own, as [`kernel!`](crate::kernel) reads them: one
+/// implementation for each.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! unrolled {
     (impl<T: $Bound:ident> ApplyUnit for $Left:ident<T> {$(
         $(#[$doc:meta])*
-        fn $method:ident($this:ident, $multiple:ident: $Multiple:ty, $argument:ident: $Right:ty) -> $Output:ty $body:block
+        fn $method:ident($this:ident, $multiple:ident: $Multiple:ty, $argument:ident: $Right:ty) -> $Output:ty { $($body:tt)* }
     )*}) => {$(
         impl<T: $Bound> ApplyUnit<$Right> for $Left<T> {
             type Image = $Output;
-            $(#[$doc])*
-            #[inline]
-            fn $method($this, $multiple: $Multiple, $argument: $Right) -> $Output $body
+            $crate::inlined! {
+                $(#[$doc])*
+                fn $method($this, $multiple: $Multiple, $argument: $Right) -> $Output {
+                    $crate::kernel! { $($body)* }
+                }
+            }
         }
     )*};
     (impl<T: $Bound:ident> $Trait:ident for $Left:ident<T> {$(
         $(#[$doc:meta])*
-        fn $method:ident($this:ident, $argument:ident: $Right:ty) -> $Output:ty $body:block
+        fn $method:ident($this:ident, $argument:ident: $Right:ty) -> $Output:ty { $($body:tt)* }
     )*}) => {$(
         impl<T: $Bound> $Trait<$Right> for $Left<T> {
             type Output = $Output;
             $crate::inlined! {
                 $(#[$doc])*
-                fn $method($this, $argument: $Right) -> $Output $body
+                fn $method($this, $argument: $Right) -> $Output {
+                    $crate::kernel! { $($body)* }
+                }
             }
         }
     )*};

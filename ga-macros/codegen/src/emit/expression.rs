@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use ga_core::Rational;
-use num_traits::{One, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 
-use crate::factor::{Cost, Kernel, MULTIPLE, RECIPROCAL, by_factor};
+use crate::factor::{Cost, Kernel, MULTIPLE, RECIPROCAL};
 use crate::model::Type;
 use crate::poly::{Monomial, Poly, Variable};
 
@@ -18,6 +18,8 @@ pub struct Names<'a> {
     pub argument: &'static str,
     /// Which operands are taken apart into one variable per field, `a_e1`, at the start.
     unpacked: [bool; 3],
+    /// The constants that have names.
+    constants: Vec<Rational>,
 }
 
 /// The operands that [`Names`] names, in its order.
@@ -32,6 +34,7 @@ impl<'a> Names<'a> {
             operands,
             argument: name,
             unpacked: [false; 3],
+            constants: Vec::new(),
         }
     }
 
@@ -102,34 +105,92 @@ fn number(value: &Rational) -> String {
     }
 }
 
-/// A polynomial as a Rust expression.
+/// What a constant is called where it has a name.
+fn constant_name(value: &Rational) -> String {
+    match (value.numer(), value.denom()) {
+        (2, 1) => "two".to_owned(),
+        (1, 2) => "half".to_owned(),
+        (numerator, 1) => format!("c{numerator}"),
+        (numerator, denominator) => format!("c{numerator}_{denominator}"),
+    }
+}
+
+/// A term: its variables, the absolute value of its coefficient, and whether it is subtracted.
+type Term = (Monomial, Rational, bool);
+
+/// The terms in the order in which they are added: what is no product opens the sum, then come
+/// the products, each of which is one fused operation; in both, what is subtracted stands last.
+///
+/// So a chain of fused operations begins with values that are ready, a leading sign is rare, and
+/// the order does not depend on the target.
+fn ordered(poly: &Poly) -> [Vec<Term>; 2] {
+    let mut parts = [Vec::new(), Vec::new()];
+    for (monomial, value) in poly.terms() {
+        let part = usize::from(is_product(monomial, value));
+        parts[part].push((*monomial, value.abs(), value.is_negative()));
+    }
+    for part in &mut parts {
+        part.sort_by_key(|(_, _, negative)| *negative);
+    }
+    parts
+}
+
+/// Whether evaluating a term takes a multiplication.
+fn is_product(monomial: &Monomial, value: &Rational) -> bool {
+    monomial.degree() > 1 || (monomial.degree() == 1 && !value.abs().is_one())
+}
+
+/// A polynomial as a Rust expression: a sum of products of two factors, at most opened by a sum in
+/// parentheses, which is what `ga_core::kernel!` reads.
 pub fn code(poly: &Poly, names: &Names<'_>) -> String {
+    let [plain, products] = ordered(poly);
     let mut text = String::new();
-    for (factor, group) in by_factor(poly) {
-        if group.len() == 1 {
-            let (monomial, negative) = group[0];
-            sign(&mut text, negative);
-            product(&mut text, &monomial, &factor, names);
-        } else if factor.is_one() {
-            for (monomial, negative) in group {
-                sign(&mut text, negative);
-                product(&mut text, &monomial, &factor, names);
-            }
+    for (monomial, factor, negative) in &plain {
+        sign(&mut text, *negative);
+        text.push_str(&factors(monomial, factor, names).join(" * "));
+    }
+    let is_variable = |(monomial, _, negative): &Term| monomial.degree() == 1 && !negative;
+    if !products.is_empty() && (plain.len() > 1 || !plain.iter().all(is_variable)) {
+        text = format!("({text})");
+    }
+    for (monomial, factor, negative) in &products {
+        let mut factors = factors(monomial, factor, names);
+        if text.is_empty() && *negative {
+            factors[0] = format!("(-{})", factors[0]);
         } else {
-            let mut inner = String::new();
-            let flip = group[0].1;
-            for (monomial, negative) in group {
-                sign(&mut inner, negative != flip);
-                product(&mut inner, &monomial, &Rational::one(), names);
+            sign(&mut text, *negative);
+        }
+        let last = factors.pop().unwrap_or_default();
+        match factors.as_slice() {
+            [] => text.push_str(&last),
+            [first] => {
+                let _ = write!(text, "{first} * {last}");
             }
-            sign(&mut text, flip);
-            let _ = write!(text, "({inner}) * {}", number(&factor));
+            _ => {
+                let _ = write!(text, "({}) * {last}", factors.join(" * "));
+            }
         }
     }
     if text.is_empty() {
         "T::ZERO".to_owned()
     } else {
         text
+    }
+}
+
+/// The value of a field or a temporary as `ga_core::kernel!` reads it: what is neither a variable
+/// nor a constant of the numbers nor a sum of products stands in parentheses.
+fn value(poly: &Poly, names: &Names<'_>) -> String {
+    let text = code(poly, names);
+    let fused = poly
+        .terms()
+        .any(|(monomial, value)| is_product(monomial, value));
+    let simple =
+        |(monomial, value): (&Monomial, &Rational)| monomial.degree() <= 1 && value.is_one();
+    if fused || (poly.len() <= 1 && poly.terms().all(simple)) {
+        text
+    } else {
+        format!("({text})")
     }
 }
 
@@ -142,31 +203,34 @@ fn sign(text: &mut String, negative: bool) {
     }
 }
 
-fn product(text: &mut String, monomial: &Monomial, factor: &Rational, names: &Names<'_>) {
-    let mut factors: Vec<String> = monomial.variables().map(|v| names.code(v)).collect();
-    if !factor.is_one() || factors.is_empty() {
-        factors.push(number(factor));
+/// The factors of a term, a constant first.
+fn factors(monomial: &Monomial, factor: &Rational, names: &Names<'_>) -> Vec<String> {
+    let mut factors = Vec::new();
+    if !factor.is_one() || monomial.degree() == 0 {
+        factors.push(match names.constants.contains(factor) {
+            true => constant_name(factor),
+            false => number(factor),
+        });
     }
-    text.push_str(&factors.join(" * "));
+    factors.extend(monomial.variables().map(|v| names.code(v)));
+    factors
 }
 
 /// A polynomial as a formula, `a.e1 b.e2 − a.e2 b.e1`.
 pub fn formula(poly: &Poly, names: &Names<'_>) -> String {
     let mut text = String::new();
-    for (factor, group) in by_factor(poly) {
-        for (monomial, negative) in group {
-            match (text.is_empty(), negative) {
-                (true, true) => text.push('−'),
-                (true, false) => {}
-                (false, true) => text.push_str(" − "),
-                (false, false) => text.push_str(" + "),
-            }
-            let mut words: Vec<String> = monomial.variables().map(|v| names.formula(v)).collect();
-            if !factor.is_one() || words.is_empty() {
-                words.insert(0, crate::blades::rational_text(&factor));
-            }
-            text.push_str(&words.join(" "));
+    for (monomial, factor, negative) in ordered(poly).into_iter().flatten() {
+        match (text.is_empty(), negative) {
+            (true, true) => text.push('−'),
+            (true, false) => {}
+            (false, true) => text.push_str(" − "),
+            (false, false) => text.push_str(" + "),
         }
+        let mut words: Vec<String> = monomial.variables().map(|v| names.formula(v)).collect();
+        if !factor.is_one() || words.is_empty() {
+            words.insert(0, crate::blades::rational_text(&factor));
+        }
+        text.push_str(&words.join(" "));
     }
     if text.is_empty() {
         "0".to_owned()
@@ -248,29 +312,58 @@ fn counted(number: usize, noun: &str) -> String {
     }
 }
 
-/// The statements of a kernel up to its result, a struct literal or a bare value.
+/// The statements of a kernel up to its result, a struct literal or a bare value, as
+/// `ga_core::kernel!` reads them. They are Rust as they stand, too.
 pub fn body(kernel: &Kernel, result: Option<&Type>, names: &Names<'_>) -> String {
     let mut names = names.clone();
     let mut text = unpack(kernel, &mut names);
-    if let Some(divisor) = &kernel.divisor {
-        let _ = writeln!(text, "let f = T::ONE / ({});", code(divisor, &names));
-    }
+    text.push_str(&constants(kernel, &mut names));
     for (i, poly) in kernel.temporaries.iter().enumerate() {
-        let _ = writeln!(text, "let t{i} = {};", code(poly, &names));
+        let _ = writeln!(text, "let t{i} = {};", value(poly, &names));
     }
+    text.push_str("return ");
+    let mut values = kernel.outputs.iter().map(|poly| value(poly, &names));
     match result {
         Some(kind) => {
             let fields: Vec<String> = kind
                 .fields()
-                .zip(&kernel.outputs)
-                .map(|(slot, poly)| format!("{}: {}", slot.field, code(poly, &names)))
+                .zip(values)
+                .map(|(slot, value)| format!("{}: {value}", slot.field))
                 .collect();
             let _ = write!(text, "{} {{ {} }}", kind.name, fields.join(", "));
         }
-        None => {
-            let values: Vec<String> = kernel.outputs.iter().map(|p| code(p, &names)).collect();
-            text.push_str(&values.join(", "));
+        None => text.push_str(&values.next().unwrap_or_default()),
+    }
+    text
+}
+
+/// The result of a kernel that neither multiplies nor names anything, as a struct literal.
+pub fn linear_body(kernel: &Kernel, result: &Type, names: &Names<'_>) -> String {
+    let fields: Vec<String> = result
+        .fields()
+        .zip(&kernel.outputs)
+        .map(|(slot, poly)| format!("{}: {}", slot.field, code(poly, names)))
+        .collect();
+    format!("{} {{ {} }}", result.name, fields.join(", "))
+}
+
+/// Names the constants, and the reciprocal of the divisor.
+fn constants(kernel: &Kernel, names: &mut Names<'_>) -> String {
+    for (monomial, value) in kernel.polynomials().flat_map(Poly::terms) {
+        let factor = value.abs();
+        if monomial.degree() > 0 && !factor.is_one() && !names.constants.contains(&factor) {
+            names.constants.push(factor);
         }
+    }
+    let mut text = String::new();
+    if !names.constants.is_empty() {
+        let left: Vec<String> = names.constants.iter().map(constant_name).collect();
+        let right: Vec<String> = names.constants.iter().map(number).collect();
+        let _ = writeln!(text, "let [{}] = [{}];", left.join(", "), right.join(", "));
+    }
+    if let Some(divisor) = &kernel.divisor {
+        let divisor = value(divisor, names);
+        let _ = writeln!(text, "let [f] = [T::ONE / algebra::sum!({divisor})];");
     }
     text
 }

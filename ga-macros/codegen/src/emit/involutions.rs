@@ -137,7 +137,7 @@ fn linear(
     let body = if identity {
         "self".to_owned()
     } else {
-        expression::body(&kernel, Some(generator.kind(result)), &names)
+        expression::linear_body(&kernel, generator.kind(result), &names)
     };
     let documentation =
         expression::documentation(doc, &kernel, Some(generator.kind(result)), &names);

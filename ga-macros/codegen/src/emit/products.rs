@@ -148,8 +148,6 @@ fn emit_unrolled(
     let call = call.filter(|_| integral);
     let cost = call.as_ref().and_then(|call| call.cost);
     let cost = cost.unwrap_or_else(|| kernel.cost());
-    let documentation =
-        expression::documentation_at(product.doc(), cost, &kernel, result_kind, &names);
     let output = if is_number {
         "T".to_owned()
     } else {
@@ -170,13 +168,17 @@ fn emit_unrolled(
         } else {
             format!("=> {output}")
         };
+        let documentation =
+            expression::documentation_at(product.doc(), cost, &kernel, result_kind, &names);
         let text = format!(
             "{} {right} {output} ({}) {documentation:?},",
             call.form, call.words
         );
         return Emitted::Shared(text);
     }
-    entry.form = kernel.form.to_owned();
+    let kernel = kernel.factored();
+    let documentation = expression::documentation(product.doc(), &kernel, result_kind, &names);
+    entry.form = kernel.form.to_string();
     entry.cost = Some(kernel.cost());
     let mut body = expression::body(&kernel, result_kind, &names);
     let mut documentation = documentation;

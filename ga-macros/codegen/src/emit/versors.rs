@@ -53,7 +53,7 @@ fn norm_polynomial(generator: &Generator<'_>, a: usize) -> Poly {
 fn norm(generator: &mut Generator<'_>, a: usize) {
     let poly = norm_polynomial(generator, a);
     let names = Names::new(generator.kind(a), None);
-    let kernel = Kernel::expanded(vec![poly]);
+    let kernel = Kernel::expanded(vec![poly]).factored();
     generator.check(&kernel);
     let bound = unrolled::bound(&kernel);
     let body = expression::body(&kernel, None, &names);
@@ -63,7 +63,7 @@ fn norm(generator: &mut Generator<'_>, a: usize) {
     let _ = writeln!(
         generator.source,
         "impl<T: {bound}> NormSquared for {name}<T> {{ type Output = T; {} #[inline] \
-         fn norm_squared(self) -> T {{ {body} }} }}",
+         fn norm_squared(self) -> T {{ algebra::kernel! {{ {body} }} }} }}",
         expression::doc(&documentation)
     );
     let entry = Entry {
@@ -71,7 +71,7 @@ fn norm(generator: &mut Generator<'_>, a: usize) {
         result: "T".to_owned(),
         cost: Some(kernel.cost()),
         fields: 1,
-        form: kernel.form.to_owned(),
+        form: kernel.form.to_string(),
     };
     generator.record(entry);
 }
@@ -157,6 +157,7 @@ fn looped_product(
     let blades = reach.blades.into_iter().map(|mask| (mask, any.clone()));
     let result = closure::smallest(generator.model, &blades.collect())?;
     let cost = Cost {
+        fused: reach.terms + reach.factors,
         multiplications: reach.terms + reach.factors,
         additions: reach.terms,
     };

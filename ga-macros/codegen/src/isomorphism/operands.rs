@@ -63,9 +63,11 @@ impl Tables {
         let parts = self.result.len() / size;
         let stages = self.height.trailing_zeros() as usize;
         let products = size * rows * self.units * terms;
+        let butterflies = size * stages * (2 * terms + parts);
         Cost {
+            fused: products + size * parts + butterflies,
             multiplications: products + size * parts,
-            additions: products - size * parts + size * stages * (2 * terms + parts),
+            additions: products - size * parts + butterflies,
         }
     }
 

@@ -249,12 +249,12 @@ fn apply(
             types,
             application.applied,
             Some(costs),
-            kernel.form,
+            &kernel.form,
         );
         return Some(costs);
     }
     let form = match &application.sandwich_kernel {
-        Some(kernel) => kernel.form,
+        Some(kernel) => &*kernel.form,
         None => "(V x) Ṽ as two products",
     };
     record(generator, types, application.applied, by_sandwich, form);
@@ -374,6 +374,6 @@ fn emit_kernel(
         result: output,
         cost: Some(kernel.cost()),
         fields,
-        form: kernel.form.to_owned(),
+        form: kernel.form.to_string(),
     });
 }

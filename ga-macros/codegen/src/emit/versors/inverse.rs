@@ -180,6 +180,7 @@ fn general_cost(generator: &Generator<'_>) -> Option<Cost> {
     let steps = general_steps(generator);
     let product = super::product_cost(generator, whole, whole)?;
     Some(Cost {
+        fused: steps * (product.fused + 1),
         multiplications: steps * (product.multiplications + 1),
         additions: steps * (product.additions + 1),
     })
@@ -233,15 +234,17 @@ fn conjugate_inverse(
         divisor: None,
         temporaries: temporaries.clone(),
         outputs: generator.onto_fields(result, &named),
-        form: "conjugate",
-    };
+        form: "conjugate".into(),
+    }
+    .factored();
     let determinant_kernel = Kernel {
         divisor: None,
         temporaries,
         outputs: vec![named_determinant],
-        form: "conjugate",
+        form: "conjugate".into(),
     }
-    .without_unused();
+    .without_unused()
+    .factored();
     let doc = "The inverse `X̃ (s − W) / (s² − W²)` with `X X̃ = s + W`, by its numerator.";
     let documentation =
         expression::documentation(doc, &kernel, Some(generator.kind(result)), &names);
@@ -253,8 +256,8 @@ fn conjugate_inverse(
     let (name, output) = (generator.name(a), generator.name(result));
     format!(
         "impl<T: Field> Inverse for {name}<T> {{ type Output = {output}<T>; type Number = T; \
-         {} #[inline] fn determinant(self) -> T {{ {determinant} }} {} #[inline] \
-         fn adjugate(self) -> {output}<T> {{ {numerator} }} \
+         {} #[inline] fn determinant(self) -> T {{ algebra::kernel! {{ {determinant} }} }} {} #[inline] \
+         fn adjugate(self) -> {output}<T> {{ algebra::kernel! {{ {numerator} }} }} \
          #[doc = \" The adjugate times a number, one multiplication a coefficient.\"] \
          #[inline] fn scale(adjugate: {output}<T>, factor: T) -> {output}<T> {{ adjugate * factor }} }}\n",
         expression::doc(&determinant_documentation),

@@ -155,11 +155,12 @@ pub fn application(
     let applied_kernel = multiples.and_then(|multiples| {
         let inverse = reversed(&multiple(generator, [v, multiples]));
         let kernel = moving(generator, applied, &difference, &inverse, operand, &whole);
-        short(shortened(kernel))
+        short(shortened(kernel).factored())
     });
     // The square of a spinor needs no inverse, and its result is divided where the versor is not
     // unit.
     let spinor = squared(generator, [v, x], even, whole_type).filter(|_| applied == whole_type);
+    let spinor = spinor.map(Kernel::factored);
     let spinor = spinor.filter(|spinor| {
         let other = applied_kernel.as_ref().map(Kernel::cost);
         other.is_none_or(|other| spinor.cost() < other)
@@ -182,7 +183,7 @@ pub fn application(
             divisor: None,
             temporaries,
             outputs: generator.onto_fields(whole_type, &second),
-            form: "(V x) Ṽ",
+            form: "(V x) Ṽ".into(),
         };
         let expanded = Kernel::expanded(generator.onto_fields(whole_type, &whole));
         short(cheaper(expanded, steps.without_unused()))

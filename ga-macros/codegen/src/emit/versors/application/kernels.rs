@@ -25,7 +25,7 @@ pub fn moving(
         divisor: None,
         temporaries,
         outputs: generator.onto_fields(result, &image),
-        form: "x + (V x − x V) V⁻¹",
+        form: "x + (V x − x V) V⁻¹".into(),
     }
     .without_unused()
 }
@@ -80,7 +80,20 @@ pub fn onto(
         })
 }
 
-/// The kernel that costs less; of equals the first.
-pub fn cheaper(a: Kernel, b: Kernel) -> Kernel {
-    if a.cost() <= b.cost() { a } else { b }
+/// How many terms an expanded form may have for shared values to be looked for in it.
+const MOST_EXPANDED: usize = 240;
+
+/// The cheaper one of the expanded form and of one in steps, once both are factored; of equals the
+/// first.
+pub fn cheaper(expanded: Kernel, steps: Kernel) -> Kernel {
+    let steps = steps.factored();
+    let expanded = match expanded.terms() <= MOST_EXPANDED {
+        true => expanded.factored(),
+        false => expanded,
+    };
+    if expanded.cost() <= steps.cost() {
+        expanded
+    } else {
+        steps
+    }
 }

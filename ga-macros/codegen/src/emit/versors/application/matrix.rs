@@ -68,6 +68,8 @@ impl Pattern {
     fn cost(&self) -> Cost {
         let rows = self.0.iter();
         rows.map(|row| Cost {
+            // The constant opens the sum.
+            fused: row.columns.len(),
             multiplications: row.columns.len(),
             additions: (row.columns.len() + usize::from(row.constant)).saturating_sub(1),
         })

@@ -85,7 +85,7 @@ fn eliminate(
         });
     }
     kernel.outputs[own] = value.renamed(|v| image.get(&v).copied().unwrap_or(v));
-    kernel.form = "x + (V x − x V) V⁻¹ with x² = 0";
+    kernel.form = "x + (V x − x V) V⁻¹ with x² = 0".into();
     Some(kernel)
 }
 
@@ -184,7 +184,7 @@ pub fn squared(
         divisor: None,
         temporaries,
         outputs: generator.onto_fields(result, &scaled.collect()),
-        form: "s m s̃ with x = s₀ m s̃₀ and s = V s₀",
+        form: "s m s̃ with x = s₀ m s̃₀ and s = V s₀".into(),
     };
     Some(kernel.without_unused())
 }

@@ -135,6 +135,7 @@ impl Planes {
             costs: Costs {
                 planes: cost(&outer) + cost(&plane) + cost(&square) + cost(&turned),
                 sum: Cost {
+                    fused: 2 * width,
                     multiplications: 2 * width,
                     additions: width,
                 },
