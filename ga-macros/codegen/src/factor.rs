@@ -8,10 +8,14 @@ mod divisors;
 mod extract;
 mod network;
 mod prepare;
+#[cfg(test)]
+mod tests;
 mod tidy;
 
 use std::borrow::Cow;
 use std::ops::Add;
+
+use num_traits::{One, Signed};
 
 use crate::poly::{Poly, Variable};
 
@@ -22,7 +26,7 @@ use network::Network;
 ///
 /// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`; the reciprocal of the
 /// divisor is the variable of operand [`RECIPROCAL`].
-#[derive(Clone)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
     /// A polynomial whose reciprocal is computed first.
     pub divisor: Option<Poly>,
@@ -75,11 +79,12 @@ impl Kernel {
     /// Only ring operations on exact constants, so that integers and rationals give the same values;
     /// nothing is multiplied out, so that no rounding error grows beyond that of the largest term.
     pub fn factored(self) -> Kernel {
-        match self.terms() <= MOST_TERMS {
-            true => factored(&self).filter(|found| found.cost() < self.cost()),
-            false => None,
-        }
-        .unwrap_or(self)
+        let promising = self.terms() <= MOST_TERMS && shares_anything(&self);
+        let found = promising.then(|| factored(&self)).flatten();
+        let cheaper = found.filter(|found| found.cost() < self.cost());
+        #[cfg(test)]
+        tests::note(&self, cheaper.as_ref().unwrap_or(&self));
+        cheaper.unwrap_or(self)
     }
 
     /// The kernel without the temporaries that no output needs, the others numbered anew, and
@@ -155,4 +160,26 @@ fn factored(kernel: &Kernel) -> Option<Kernel> {
         form => format!("{form}, factored").into(),
     };
     Some(result)
+}
+
+/// Whether a kernel has anything to share: most products have not, since each of their terms has
+/// factors of its own, and this is much quicker to see than to search in vain.
+fn shares_anything(kernel: &Kernel) -> bool {
+    let mut monomials = Vec::new();
+    for poly in kernel.temporaries.iter().chain(&kernel.outputs) {
+        let mut variables = Vec::new();
+        for (monomial, value) in poly.terms() {
+            if monomial.degree() > 2 || !value.abs().is_one() {
+                return true;
+            }
+            monomials.push(*monomial);
+            variables.extend(monomial.variables());
+        }
+        variables.sort_unstable();
+        if variables.windows(2).any(|pair| pair[0] == pair[1]) {
+            return true;
+        }
+    }
+    monomials.sort_unstable();
+    monomials.windows(2).any(|pair| pair[0] == pair[1])
 }
