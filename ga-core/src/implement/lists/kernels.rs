@@ -10,7 +10,7 @@
 macro_rules! kernel {
     (
         $(let [$($name:tt),*] = $value:expr;)*
-        $(let $temporary:ident = $first:tt $(.$first_field:tt)? $(* $by:tt $(.$by_field:tt)?)?
+        $(let $temporary:ident = $first:tt $(::$first_constant:ident)? $(.$first_field:tt)? $(* $by:tt $(.$by_field:tt)?)?
             $(+ $plus:tt $(.$plus_field:tt)? * $plus_by:tt $(.$plus_by_field:tt)?)*
             $(- $minus:tt $(.$minus_field:tt)? * $minus_by:tt $(.$minus_by_field:tt)?)*;)*
         return $Output:ident {
@@ -20,7 +20,7 @@ macro_rules! kernel {
         }
     ) => {
         $(let [$($name),*] = $value;)*
-        $(let $temporary = ($first $(.$first_field)? $(* $by $(.$by_field)?)?)
+        $(let $temporary = ($first $(::$first_constant)? $(.$first_field)? $(* $by $(.$by_field)?)?)
             $(.plus_product($plus $(.$plus_field)?, $plus_by $(.$plus_by_field)?))*
             $(.minus_product($minus $(.$minus_field)?, $minus_by $(.$minus_by_field)?))*;)*
         $Output {
@@ -31,13 +31,13 @@ macro_rules! kernel {
     };
     (
         $(let [$($name:tt),*] = $value:expr;)*
-        $(let $temporary:ident = $first:tt $(.$first_field:tt)? $(* $by:tt $(.$by_field:tt)?)?
+        $(let $temporary:ident = $first:tt $(::$first_constant:ident)? $(.$first_field:tt)? $(* $by:tt $(.$by_field:tt)?)?
             $(+ $plus:tt $(.$plus_field:tt)? * $plus_by:tt $(.$plus_by_field:tt)?)*
             $(- $minus:tt $(.$minus_field:tt)? * $minus_by:tt $(.$minus_by_field:tt)?)*;)*
         return $($sum:tt)*
     ) => {
         $(let [$($name),*] = $value;)*
-        $(let $temporary = ($first $(.$first_field)? $(* $by $(.$by_field)?)?)
+        $(let $temporary = ($first $(::$first_constant)? $(.$first_field)? $(* $by $(.$by_field)?)?)
             $(.plus_product($plus $(.$plus_field)?, $plus_by $(.$plus_by_field)?))*
             $(.minus_product($minus $(.$minus_field)?, $minus_by $(.$minus_by_field)?))*;)*
         $crate::sum!($($sum)*)
