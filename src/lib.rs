@@ -17,10 +17,12 @@
 
 #![no_std]
 
+#[cfg(feature = "cga")]
 #[doc(inline)]
 pub use ga_cga as cga;
 #[doc(inline)]
 pub use ga_core as core;
+#[cfg(feature = "design")]
 #[doc(inline)]
 pub use ga_design as design;
 #[cfg(feature = "lanes")]
@@ -87,6 +89,6 @@ pub mod prelude {
 }
 
 /// The examples of the README, as tests.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "design"))]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
