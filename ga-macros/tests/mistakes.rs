@@ -2,7 +2,11 @@
 //!
 //! One case per mistake, in the folder of its kind; the file beside it is what the compiler says.
 //! The folder `use` shows what stands around a call with mistakes: its types in use, and the macro
-//! without the facade (that a right call compiles so is shown by the crate `tests/hygiene/bare`).
+//! without the facade (that a right call compiles so is shown by the crate `tests/hygiene/bare`
+//! of the root package).
+//!
+//! The cases stand here and not beside the other tests of the facade because each is compiled with
+//! all that its package depends on, and no more is wanted than the macro.
 
 /// Every case fails to compile with exactly the messages stored.
 #[test]
