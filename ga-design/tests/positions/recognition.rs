@@ -1,6 +1,7 @@
 //! Whether every space group is recognised in whatever cell and origin it comes, and nothing else
 //! is.
 
+use crate::structures::cell_of;
 use std::collections::HashSet;
 
 use ga_design::crystallography::{ChangeOfBasis, Operation, SpaceGroup, close};
@@ -161,15 +162,7 @@ fn moyo_recognises_the_same_group_from_atoms() {
         let group = SpaceGroup::standard(number).expect("a number");
         let change = numbers.change();
         let given = change.operations(&operations(group)).expect("a cell");
-        let (edges, angle) = match number {
-            1..=2 => ([8.1, 9.3, 10.7], [83.0, 97.0, 101.0]),
-            3..=15 => ([8.1, 9.3, 10.7], [90.0, 101.0, 90.0]),
-            16..=74 => ([8.1, 9.3, 10.7], [90.0; 3]),
-            75..=142 => ([8.1, 8.1, 10.7], [90.0; 3]),
-            143..=194 => ([8.1, 8.1, 10.7], [90.0, 90.0, 120.0]),
-            _ => ([8.1; 3], [90.0; 3]),
-        };
-        let cell = ga_design::crystallography::Cell::new(edges, angle).expect("a cell");
+        let cell = cell_of(number);
         let p = change.linear().map(|row| row.map(|v| *v.numer() as f64));
         let columns = [0, 1, 2].map(|j| cell.cartesian(p.map(|row| row[j])));
         let lattice = nalgebra_lattice(columns);

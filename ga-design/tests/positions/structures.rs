@@ -6,7 +6,8 @@ use moyo::MoyoDataset;
 use moyo::base::{AngleTolerance, Cell as Atoms, Lattice};
 use moyo::data::Setting;
 
-fn cell_of(number: u32) -> Cell {
+/// A cell that a group of this number can have in its standard setting.
+pub fn cell_of(number: u32) -> Cell {
     let (edges, angles) = match number {
         1..=2 => ([8.1, 9.3, 10.7], [83.0, 97.0, 101.0]),
         3..=15 => ([8.1, 9.3, 10.7], [90.0, 101.0, 90.0]),

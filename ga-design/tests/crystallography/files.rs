@@ -1,16 +1,7 @@
 //! Whether what is written as CIF and XYZ is the crystal that was read.
 
+use crate::shipped::SHIPPED;
 use ga_design::crystallography::{Atom, CellRange, Crystal, Expansion, SpaceGroup, cif, xyz};
-
-const SHIPPED: [&str; 7] = [
-    include_str!("../data/cif/quartz.cif"),
-    include_str!("../data/cif/diamond.cif"),
-    include_str!("../data/cif/halite.cif"),
-    include_str!("../data/cif/rutile.cif"),
-    include_str!("../data/cif/calcite.cif"),
-    include_str!("../data/cif/pyrite.cif"),
-    include_str!("../data/cif/spinel.cif"),
-];
 
 fn read(text: &str) -> Crystal {
     let reading = cif::read_str("test.cif", text);

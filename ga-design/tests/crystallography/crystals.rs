@@ -126,7 +126,7 @@ fn shipped_files_have_the_groups_and_atoms_of_their_papers() {
 fn recalled_crystals_reach_the_anchors_computed_elsewhere() {
     // Cells and coordinates are recalled; counts, densities and distances were computed from
     // them by other programs, so the table judges the construction, not the minerals.
-    let table = include_str!("cif/anchors.tsv");
+    let table = include_str!("../cif/anchors.tsv");
     let mut seen = 0;
     for line in table.lines().skip(1) {
         let fields: Vec<&str> = line.split('\t').collect();

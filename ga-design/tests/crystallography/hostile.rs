@@ -1,12 +1,13 @@
 //! Whether broken files get one clear message with file and line, and whether nothing at all can
 //! make the readers panic.
 
+use crate::shipped::SHIPPED;
 use ga_design::crystallography::cif::{self, Problem};
 use ga_design::crystallography::{Expansion, Operation};
 use proptest::prelude::*;
 use survives::survives;
 
-#[path = "cif/survives.rs"]
+#[path = "../cif/survives.rs"]
 mod survives;
 
 const CELL: &str = "_cell_length_a 5\n_cell_length_b 5\n_cell_length_c 5\n_cell_angle_alpha 90\n\
@@ -253,16 +254,6 @@ fn files_beyond_the_limits_are_refused() {
         failure(&text).starts_with("test.cif:10: too large: more than 4096 symmetry operations")
     );
 }
-
-const SHIPPED: [&str; 7] = [
-    include_str!("../data/cif/quartz.cif"),
-    include_str!("../data/cif/diamond.cif"),
-    include_str!("../data/cif/halite.cif"),
-    include_str!("../data/cif/rutile.cif"),
-    include_str!("../data/cif/calcite.cif"),
-    include_str!("../data/cif/pyrite.cif"),
-    include_str!("../data/cif/spinel.cif"),
-];
 
 /// What the fuzzer found, and what is built to be hostile: each file made an earlier reader fail.
 #[test]

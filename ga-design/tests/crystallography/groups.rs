@@ -7,9 +7,10 @@ use ga_design::crystallography::{Operation, SpaceGroup, close, hall};
 use moyo::data::{HallSymbol, hall_symbol_entry};
 
 /// An operation as integers: the matrix, and the translation in 24ths modulo the lattice.
-type Key = ([[i32; 3]; 3], [i64; 3]);
+pub type Key = ([[i32; 3]; 3], [i64; 3]);
 
-fn key(operation: &Operation) -> Key {
+/// The operation as integers.
+pub fn key(operation: &Operation) -> Key {
     let shift = operation
         .translation_f64()
         .map(|value| (value * 24.0).round() as i64);
@@ -34,7 +35,8 @@ fn judged(hall: &str) -> Option<BTreeSet<Key>> {
     Some(keys)
 }
 
-fn operations_of_moyo(hall_symbol: &str) -> BTreeSet<Key> {
+/// The operations of a Hall symbol by moyo.
+pub fn operations_of_moyo(hall_symbol: &str) -> BTreeSet<Key> {
     judged(hall_symbol).unwrap_or_else(|| panic!("moyo does not read {hall_symbol}"))
 }
 

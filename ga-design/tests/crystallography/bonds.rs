@@ -63,34 +63,34 @@ fn shipped_crystals_have_the_coordination_of_the_textbooks() {
     let known: [(&str, &str, Counts<&[usize]>); 6] = [
         (
             "quartz",
-            include_str!("../data/cif/quartz.cif"),
+            include_str!("../../data/cif/quartz.cif"),
             &[("Si", &[4]), ("O", &[2])],
         ),
         (
             "diamond",
-            include_str!("../data/cif/diamond.cif"),
+            include_str!("../../data/cif/diamond.cif"),
             &[("C", &[4])],
         ),
         (
             "halite",
-            include_str!("../data/cif/halite.cif"),
+            include_str!("../../data/cif/halite.cif"),
             &[("Na", &[6]), ("Cl", &[6])],
         ),
         // An oxygen of calcite has its carbon and two calciums.
         (
             "calcite",
-            include_str!("../data/cif/calcite.cif"),
+            include_str!("../../data/cif/calcite.cif"),
             &[("C", &[3]), ("Ca", &[6]), ("O", &[3])],
         ),
         (
             "rutile",
-            include_str!("../data/cif/rutile.cif"),
+            include_str!("../../data/cif/rutile.cif"),
             &[("Ti", &[6]), ("O", &[3])],
         ),
         // A sulfur of pyrite has three irons and the other sulfur of its pair.
         (
             "pyrite",
-            include_str!("../data/cif/pyrite.cif"),
+            include_str!("../../data/cif/pyrite.cif"),
             &[("Fe", &[6]), ("S", &[4])],
         ),
     ];
@@ -107,7 +107,7 @@ fn shipped_crystals_have_the_coordination_of_the_textbooks() {
 fn metals_of_a_shared_site_each_have_their_oxygens() {
     // Tetrahedra and octahedra of spinel, each site occupied by both metals; an oxygen has three
     // octahedral and one tetrahedral neighbour, each twice.
-    let spinel = numbers(&crystal(include_str!("../data/cif/spinel.cif")));
+    let spinel = numbers(&crystal(include_str!("../../data/cif/spinel.cif")));
     assert_eq!(spinel["Mg"], [4, 6]);
     assert_eq!(spinel["Al"], [4, 6]);
     assert_eq!(spinel["O"], [8]);
@@ -332,7 +332,7 @@ fn all_images_within_reach_are_found_in_any_cell() {
 
 #[test]
 fn a_block_has_the_bonds_of_its_cells() {
-    let quartz = crystal(include_str!("../data/cif/quartz.cif"));
+    let quartz = crystal(include_str!("../../data/cif/quartz.cif"));
     let (atoms, periodic) = bonded(&quartz);
     let range: CellRange = "-1:2x2x3".parse().expect("a range");
     let block = Expansion::default()
@@ -359,7 +359,7 @@ fn nothing_is_joined_where_nothing_can_be() {
     assert_eq!(bonds, []);
     let (_, bonds) = bonded(&cubic(10.0, "P 1", &["C1 0.1 0.1 0.1", "C2 0.15 0.1 0.1"]));
     assert_eq!(bonds, []);
-    let halite = crystal(include_str!("../data/cif/halite.cif"));
+    let halite = crystal(include_str!("../../data/cif/halite.cif"));
     let atoms = unit(&halite);
     for farthest in [0.0, -1.0, f64::NAN] {
         let bonding = Bonding {
@@ -379,7 +379,7 @@ fn crowds_and_places_beyond_all_bounds_are_refused() {
     let message = crowded.expect_err("a crowd").to_string();
     assert!(message.contains("leave the bonds out"), "{message}");
 
-    let halite = crystal(include_str!("../data/cif/halite.cif"));
+    let halite = crystal(include_str!("../../data/cif/halite.cif"));
     let mut atoms = unit(&halite);
     for value in [f64::NAN, f64::INFINITY, 1e9] {
         atoms[3].fract[1] = value;

@@ -1,24 +1,13 @@
 //! Whether symmetry elements are drawn where they are, in every group, and screws in their sense.
 
+use crate::standard_cell::cell;
 use ga_cga::Vector3;
 use ga_design::crystallography::overlay::{
     OverlayError, Shown, Style, add_placed_elements, add_symmetry_elements, legend,
 };
-use ga_design::crystallography::{Cell, CellRange, SpaceGroup, SymmetryElements};
+use ga_design::crystallography::{CellRange, SpaceGroup, SymmetryElements};
 use ga_design::export::{Scene, flatten};
 use std::f64::consts::TAU;
-
-fn cell(number: u32) -> Cell {
-    let (edges, angles) = match number {
-        1..=2 => ([5.1, 6.2, 7.3], [82.0, 97.0, 104.0]),
-        3..=15 => ([5.1, 6.2, 7.3], [90.0, 104.0, 90.0]),
-        16..=74 => ([5.1, 6.2, 7.3], [90.0; 3]),
-        75..=142 => ([5.1, 5.1, 7.3], [90.0; 3]),
-        143..=194 => ([5.1, 5.1, 7.3], [90.0, 90.0, 120.0]),
-        _ => ([5.1; 3], [90.0; 3]),
-    };
-    Cell::new(edges, angles).expect("a cell")
-}
 
 fn elements(number: u32) -> SymmetryElements {
     let group = SpaceGroup::standard(number).expect("a number from 1 to 230");
