@@ -222,6 +222,7 @@ pub mod roots;
 pub mod scene;
 mod smith;
 pub mod subperiodic;
+mod symbol_reader;
 pub mod symbols;
 mod symmetry_directions;
 pub mod symmetry_elements;

@@ -145,6 +145,16 @@ impl<'a> Tokens<'a> {
         }
     }
 
+    /// The value between marks that began at `start` and ends here.
+    fn enclosed(&self, start: usize, line: usize) -> Token<'a> {
+        Token::Value(Value {
+            text: self.slice(start, self.at),
+            quoted: true,
+            line,
+            start,
+        })
+    }
+
     fn text_field(&mut self) -> Result<Token<'a>, Located> {
         let (start, line) = (self.at + 1, self.line);
         self.at += 1;
@@ -152,14 +162,9 @@ impl<'a> Tokens<'a> {
             match self.peek() {
                 None => return Err(Located::new(line, Problem::OpenText)),
                 Some(b';') if self.at_line_start() => {
-                    let text = self.slice(start, self.at);
+                    let value = self.enclosed(start, line);
                     self.at += 1;
-                    return Ok(Token::Value(Value {
-                        text,
-                        quoted: true,
-                        line,
-                        start,
-                    }));
+                    return Ok(value);
                 }
                 Some(_) => self.step(),
             }
@@ -173,14 +178,9 @@ impl<'a> Tokens<'a> {
             match self.peek() {
                 // A mark inside a word, as in 'it's', does not close.
                 Some(byte) if byte == quote && self.byte(self.at + 1).is_none_or(is_blank) => {
-                    let text = self.slice(start, self.at);
+                    let value = self.enclosed(start, line);
                     self.at += 1;
-                    return Ok(Token::Value(Value {
-                        text,
-                        quoted: true,
-                        line,
-                        start,
-                    }));
+                    return Ok(value);
                 }
                 Some(byte) if !is_line_end(byte) => self.at += 1,
                 _ => {
@@ -209,14 +209,9 @@ impl<'a> Tokens<'a> {
                     while self.byte(self.at + 3) == mark {
                         self.at += 1;
                     }
-                    let text = self.slice(start, self.at);
+                    let value = self.enclosed(start, line);
                     self.at += 3;
-                    return Ok(Token::Value(Value {
-                        text,
-                        quoted: true,
-                        line,
-                        start,
-                    }));
+                    return Ok(value);
                 }
                 Some(_) => self.step(),
             }
@@ -238,13 +233,7 @@ impl<'a> Tokens<'a> {
                     depth -= 1;
                     self.at += 1;
                     if depth == 0 {
-                        let text = self.slice(start, self.at);
-                        return Ok(Token::Value(Value {
-                            text,
-                            quoted: true,
-                            line,
-                            start,
-                        }));
+                        return Ok(self.enclosed(start, line));
                     }
                 }
                 Some(b'\'' | b'"') if self.begins_triple() => {

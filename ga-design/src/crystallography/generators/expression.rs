@@ -14,6 +14,7 @@ use std::str::FromStr;
 use ga_cga::Vector3;
 use num_rational::Ratio;
 
+use super::super::symbol_reader::SymbolReader;
 use super::super::{Isometry, Word};
 
 /// The largest numerator or denominator of an exponent.
@@ -128,17 +129,9 @@ impl FromStr for GeneratorExpression {
     type Err = ExpressionError;
 
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
-        let mut reader = Reader {
-            rest: text
-                .chars()
-                .enumerate()
-                .map(|(at, c)| (at + 1, c))
-                .filter(|(_, c)| !c.is_whitespace())
-                .collect(),
-            at: 0,
-        };
+        let mut reader = Reader(SymbolReader::new(text, |c| !c.is_whitespace()));
         let outer = reader.translators()?;
-        let expression = if reader.take('[') {
+        let expression = if reader.0.take(|c| c == '[') {
             let translation = reader.translators()?;
             let word = reader.word()?;
             reader.need(']', "`]` after the word")?;
@@ -154,32 +147,18 @@ impl FromStr for GeneratorExpression {
                 moved: [Ratio::from_integer(0); 3],
             }
         };
-        match reader.peek() {
+        match reader.0.peek() {
             None => Ok(expression),
             Some(_) => Err(reader.unexpected("the generator ends there")),
         }
     }
 }
 
-/// The characters that count, each with its column.
-struct Reader {
-    rest: Vec<(usize, char)>,
-    at: usize,
-}
+struct Reader(SymbolReader);
 
 impl Reader {
-    fn peek(&self) -> Option<(usize, char)> {
-        self.rest.get(self.at).copied()
-    }
-
-    fn take(&mut self, wanted: char) -> bool {
-        let found = self.peek().is_some_and(|(_, c)| c == wanted);
-        self.at += usize::from(found);
-        found
-    }
-
     fn need(&mut self, wanted: char, expected: &'static str) -> Result<(), ExpressionError> {
-        if self.take(wanted) {
+        if self.0.take(|c| c == wanted) {
             Ok(())
         } else {
             Err(self.unexpected(expected))
@@ -187,7 +166,7 @@ impl Reader {
     }
 
     fn unexpected(&self, expected: &'static str) -> ExpressionError {
-        match self.peek() {
+        match self.0.peek() {
             None => ExpressionError::Unfinished { expected },
             Some((column, found)) => ExpressionError::Unexpected {
                 found,
@@ -200,19 +179,18 @@ impl Reader {
     /// The sum of the translations; the same edge may stand more than once.
     fn translators(&mut self) -> Result<[Ratio<i32>; 3], ExpressionError> {
         let mut sum = [Ratio::from_integer(0); 3];
-        while let Some((column, 'T')) = self.peek() {
-            self.at += 1;
+        while let Some((column, _)) = self.0.peek().filter(|(_, c)| *c == 'T') {
+            self.need('T', "`T` before the edge")?;
             self.need('_', "`_` after `T`")?;
             let edge = self
-                .peek()
-                .and_then(|(_, c)| ['a', 'b', 'c'].into_iter().position(|edge| edge == c))
+                .0
+                .next_of(|c| ['a', 'b', 'c'].into_iter().position(|edge| edge == c))
                 .ok_or_else(|| self.unexpected("an edge goes there: a, b or c"))?;
-            self.at += 1;
             self.need('^', "`^` after the edge")?;
             self.need('{', "`{` before the exponent")?;
-            let sign = if self.take('-') { -1 } else { 1 };
+            let sign = if self.0.take(|c| c == '-') { -1 } else { 1 };
             let numerator = self.integer(column)?;
-            let denominator = if self.take('/') {
+            let denominator = if self.0.take(|c| c == '/') {
                 self.integer(column)?
             } else {
                 1
@@ -230,27 +208,22 @@ impl Reader {
     }
 
     fn integer(&mut self, column: usize) -> Result<i32, ExpressionError> {
-        let mut value: Option<i32> = None;
-        while let Some(digit) = self.peek().and_then(|(_, c)| c.to_digit(10)) {
-            let digit = i32::try_from(digit).unwrap_or_default();
-            value = Some(value.unwrap_or(0).saturating_mul(10).saturating_add(digit));
-            self.at += 1;
-        }
-        match value {
-            None => Err(self.unexpected("digits of the exponent go there")),
-            Some(1..=LARGEST_NUMBER) => Ok(value.unwrap_or(1)),
-            Some(_) => Err(ExpressionError::Exponent { column }),
-        }
+        let digits = self.0.digits();
+        let value = digits.ok_or_else(|| self.unexpected("digits of the exponent go there"))?;
+        let value = i32::try_from(value).ok();
+        value
+            .filter(|value| (1..=LARGEST_NUMBER).contains(value))
+            .ok_or(ExpressionError::Exponent { column })
     }
 
     fn word(&mut self) -> Result<Word, ExpressionError> {
         let mut letters = String::new();
-        while let Some((_, c @ ('a' | 'b' | 'c'))) = self.peek() {
+        let root = |c| matches!(c, 'a' | 'b' | 'c').then_some(c);
+        while let Some(c) = self.0.next_of(root) {
             // Longer than any word, the rest does not matter.
             if letters.len() < 8 {
                 letters.push(c);
             }
-            self.at += 1;
         }
         if letters.is_empty() {
             return Err(self.unexpected("a word in the roots a, b, c goes there"));

@@ -14,6 +14,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::super::roots::{Roots, RootsError};
+use super::super::symbol_reader::SymbolReader;
 use super::generator::Word;
 
 /// What the bars of a symbol join: whether roots reflect on their own or act in a product.
@@ -203,20 +204,13 @@ impl FromStr for PointSymbol {
     type Err = PointSymbolError;
 
     fn from_str(text: &str) -> Result<Self, PointSymbolError> {
-        let mut reader = Reader {
-            rest: text
-                .chars()
-                .enumerate()
-                .map(|(at, c)| (at + 1, c))
-                .filter(|(_, c)| !c.is_whitespace() && *c != '_')
-                .collect(),
-            at: 0,
-        };
-        if reader.peek().is_none() {
+        let counts = |c: char| !c.is_whitespace() && c != '_';
+        let mut reader = Reader(SymbolReader::new(text, counts));
+        if reader.0.peek().is_none() {
             return Err(PointSymbolError::Empty);
         }
         let first = reader.factor()?;
-        let Some((column, _)) = reader.peek() else {
+        let Some((column, _)) = reader.0.peek() else {
             return Ok(match first {
                 Factor::Bare(p) => Self::new(p, 2, Bars::Single)?,
                 Factor::Barred(p) => Self::new(p, 2, Bars::BarredSingle)?,
@@ -227,7 +221,7 @@ impl FromStr for PointSymbol {
             return Err(PointSymbolError::TooMany { column });
         }
         let second = reader.factor()?;
-        if let Some((column, _)) = reader.peek() {
+        if let Some((column, _)) = reader.0.peek() {
             return Err(PointSymbolError::TooMany { column });
         }
         Ok(match (first, second) {
@@ -247,25 +241,11 @@ enum Factor {
     Joined(u32, u32),
 }
 
-/// The characters that count, each with its column.
-struct Reader {
-    rest: Vec<(usize, char)>,
-    at: usize,
-}
+struct Reader(SymbolReader);
 
 impl Reader {
-    fn peek(&self) -> Option<(usize, char)> {
-        self.rest.get(self.at).copied()
-    }
-
-    fn take(&mut self, wanted: impl Fn(char) -> bool) -> bool {
-        let found = self.peek().is_some_and(|(_, c)| wanted(c));
-        self.at += usize::from(found);
-        found
-    }
-
     fn unexpected(&self, expected: &'static str) -> PointSymbolError {
-        match self.peek() {
+        match self.0.peek() {
             None => PointSymbolError::Unfinished { expected },
             Some((column, '-' | '\u{2212}')) => PointSymbolError::Minus { column },
             Some((column, found)) => PointSymbolError::Unexpected {
@@ -277,16 +257,16 @@ impl Reader {
     }
 
     fn factor(&mut self) -> Result<Factor, PointSymbolError> {
-        if self.take(|c| c == 'b') {
-            if !self.take(|c| c == '(') {
+        if self.0.take(|c| c == 'b') {
+            if !self.0.take(|c| c == '(') {
                 return Err(self.unexpected("`(` after `b`"));
             }
             let p = self.number()?;
-            let joined = match self.peek() {
+            let joined = match self.0.peek() {
                 Some((_, ')')) => None,
                 _ => Some(self.number()?),
             };
-            if !self.take(|c| c == ')') {
+            if !self.0.take(|c| c == ')') {
                 return Err(self.unexpected("`)` after the barred numbers"));
             }
             return Ok(match joined {
@@ -295,7 +275,7 @@ impl Reader {
             });
         }
         let number = self.number()?;
-        let barred = self.take(|c| matches!(c, '\u{304}' | '\u{305}'));
+        let barred = self.0.take(|c| matches!(c, '\u{304}' | '\u{305}'));
         Ok(if barred {
             Factor::Barred(number)
         } else {
@@ -306,20 +286,13 @@ impl Reader {
     /// One digit, or several in brackets.
     fn number(&mut self) -> Result<u32, PointSymbolError> {
         const EXPECTED: &str = "a number, `b(` or nothing goes there";
-        if !self.take(|c| c == '(') {
-            let digit = self.peek().and_then(|(_, c)| c.to_digit(10));
-            self.at += usize::from(digit.is_some());
+        if !self.0.take(|c| c == '(') {
+            let digit = self.0.next_of(|c| c.to_digit(10));
             return digit.ok_or_else(|| self.unexpected(EXPECTED));
         }
-        let mut value: Option<u32> = None;
-        while let Some(digit) = self.peek().and_then(|(_, c)| c.to_digit(10)) {
-            // Beyond any accepted number the exact value does not matter.
-            let sum = value.unwrap_or(0).saturating_mul(10).saturating_add(digit);
-            value = Some(sum);
-            self.at += 1;
-        }
+        let value = self.0.digits();
         let value = value.ok_or_else(|| self.unexpected("digits in the brackets"))?;
-        if self.take(|c| c == ')') {
+        if self.0.take(|c| c == ')') {
             Ok(value)
         } else {
             Err(self.unexpected("`)` after the digits"))
