@@ -13,6 +13,7 @@ use super::change_of_basis::ChangeOfBasis;
 use super::hall::{self, HallError};
 use super::operation::Operation;
 
+mod axes;
 mod extended;
 mod lookup;
 mod spelling;
@@ -20,6 +21,7 @@ mod system;
 
 pub use super::lattice::CrystalSystem;
 pub(super) use spelling::folded;
+pub use spelling::plain_text;
 
 const TABLE: &str = include_str!("../../data/space_groups.tsv");
 
@@ -89,7 +91,8 @@ impl SpaceGroup {
     /// a bar (`F d 3̄ m`, `F d \bar{3} m`) is typed; `:1`, `:2`, `:H`, `:R` or a trailing `S`, `Z`,
     /// `H`, `R` choose origin or axes, and without them the standard choice comes first. Short
     /// (`P 21/c`), full (`P 1 21/c 1`, `F 41/d -3 2/m`), extended (`C 2/m 2/c 21/m (21/b 21/n n)`,
-    /// any of its further elements in brackets) and old (`F d 3 m`) spellings are known.
+    /// any of its further elements in brackets) and old (`F d 3 m`) spellings are known, and notes in
+    /// brackets (see [`plain_text`]).
     ///
     /// ```
     /// use ga_design::crystallography::SpaceGroup;
@@ -100,6 +103,7 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn from_symbol(symbol: &str) -> Result<Vec<&'static Self>, UnknownSymbol> {
+        let symbol = &*plain_text(symbol);
         if let Some(settings) = extended::find(symbol) {
             return Ok(settings);
         }
@@ -259,6 +263,12 @@ fn row(line: &'static str) -> Option<SpaceGroup> {
     })
 }
 
+/// The folded symbol without the places that have no element: `p3m` for `P 3 m 1` and for `P 3 1 m`.
+fn without_ones(symbol: &str) -> String {
+    let words = symbol.split(' ').filter(|word| *word != "1");
+    spelling::folded(&words.collect::<String>())
+}
+
 fn suggestions(symbol: &str) -> Vec<String> {
     let short: String = symbol.chars().take(60).collect();
     let wanted = spelling::folded(short.split(':').next().unwrap_or_default());
@@ -271,7 +281,9 @@ fn suggestions(symbol: &str) -> Vec<String> {
         .iter()
         .filter_map(|(name, settings)| {
             let group = settings.first().and_then(|at| INDEX.table.get(*at))?;
-            Some((strsim::osa_distance(&wanted, name), group))
+            let is_short = group.number > 15 && without_ones(group.symbol) == wanted;
+            let distance = strsim::osa_distance(&wanted, name);
+            Some((if is_short { 0 } else { distance }, group))
         })
         .filter(|(distance, _)| *distance <= 2)
         .collect();

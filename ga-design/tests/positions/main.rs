@@ -1,6 +1,7 @@
 //! Settings, positions, subperiodic groups and recognition, each against an independent program.
 
 mod hostile;
+mod notes;
 mod orbifolds;
 mod recognition;
 mod settings;

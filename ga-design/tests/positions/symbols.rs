@@ -8,7 +8,8 @@ fn standard(number: u32) -> &'static SpaceGroup {
     SpaceGroup::standard(number).expect("1 to 230")
 }
 
-fn first(text: &str) -> &'static SpaceGroup {
+/// The likeliest setting that a text means.
+pub fn first(text: &str) -> &'static SpaceGroup {
     SpaceGroup::find(text).unwrap_or_else(|e| panic!("{e}"))[0]
 }
 

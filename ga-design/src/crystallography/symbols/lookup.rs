@@ -3,13 +3,14 @@
 
 use super::super::generators::GeometricSymbolError;
 use super::super::hall;
-use super::{SpaceGroup, UnknownSymbol, folded, spelling};
+use super::{SpaceGroup, UnknownSymbol, folded, plain_text, spelling};
 
 impl SpaceGroup {
     /// The settings that a text may mean, likeliest first: a number (`62`), a Hermann–Mauguin
     /// symbol (see [`SpaceGroup::from_symbol`]), a Schoenflies symbol (`D2h^16`), a Hall symbol
     /// (`-P 2ac 2n`) or a geometric symbol (`P b(4)_1 b(2)`), each but the Hall symbol with `:1`,
-    /// `:2`, `:H` or `:R` for origin or axes.
+    /// `:2`, `:H` or `:R` for origin or axes, and a number with the axes of a monoclinic group (`14:b2`,
+    /// see [`SpaceGroup::with_axes`]). Notes in brackets and `#` are read as [`plain_text`] says.
     ///
     /// What is a symbol in several of these notations, as `P 2`, counts as the first of them: `P4̅` is
     /// the Hermann–Mauguin symbol of number 81, while a geometric symbol is safe as `P b(4)`.
@@ -25,9 +26,12 @@ impl SpaceGroup {
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
     pub fn find(text: &str) -> Result<Vec<&'static Self>, UnknownSymbol> {
+        let text = &*plain_text(text);
         let (name, suffix) = text.split_once(':').unwrap_or((text, ""));
         if let Ok(number) = name.trim().parse() {
-            return chosen(Self::settings(number), suffix).ok_or_else(|| unknown(text));
+            let settings = chosen(Self::settings(number), suffix);
+            let with_axes = || Some(vec![Self::with_axes(number, suffix)?]);
+            return settings.or_else(with_axes).ok_or_else(|| unknown(text));
         }
         let by_symbol = Self::from_symbol(text);
         let other = || {

@@ -1,5 +1,7 @@
 //! Which spellings of a Hermann–Mauguin symbol are taken for the same.
 
+use std::borrow::Cow;
+
 /// The most characters of a symbol that are looked at: the longest ones with markup are far shorter.
 const LONGEST: usize = 200;
 
@@ -47,6 +49,49 @@ fn plain(c: char) -> char {
         }
         other => other.to_ascii_lowercase(),
     }
+}
+
+/// A number or symbol with its choice of origin or axes after a colon, where a note in brackets tells
+/// it, and without the sign before a number; any other text as it is.
+///
+/// ```
+/// use ga_design::crystallography::symbols::plain_text;
+///
+/// assert_eq!(plain_text("F d -3 m (origin choice 2)"), "F d -3 m:2");
+/// assert_eq!(plain_text("R -3 c (rhombohedral axes)"), "R -3 c:R");
+/// assert_eq!(plain_text("#225"), "225");
+/// assert_eq!(plain_text("P2(1)/c"), "P2(1)/c");
+/// ```
+pub fn plain_text(text: &str) -> Cow<'_, str> {
+    let trimmed = text.trim();
+    let signs = ["#", "No.", "no.", "No ", "no "];
+    let number = signs.iter().find_map(|sign| trimmed.strip_prefix(sign));
+    let number = number.map(str::trim_start);
+    let is_number = |text: &&str| text.starts_with(|c: char| c.is_ascii_digit());
+    let rest = number.filter(is_number).unwrap_or(text);
+    match noted(rest) {
+        Some((name, choice)) => Cow::Owned(format!("{name}:{choice}")),
+        None => Cow::Borrowed(rest),
+    }
+}
+
+/// A text before a note in brackets, and the choice of origin or axes that this tells.
+fn noted(text: &str) -> Option<(&str, char)> {
+    let (name, note) = text.trim_end().strip_suffix(')')?.rsplit_once('(')?;
+    // What stands after a colon has told it already.
+    if name.contains(':') {
+        return None;
+    }
+    let note = note.to_ascii_lowercase();
+    let words: Vec<&str> = note.split_whitespace().collect();
+    let choice = match words.as_slice() {
+        ["origin", "choice", "1"] | ["origin" | "choice", "1"] => '1',
+        ["origin", "choice", "2"] | ["origin" | "choice", "2"] => '2',
+        ["hexagonal"] | ["hexagonal", "axes" | "cell" | "setting"] => 'H',
+        ["rhombohedral"] | ["rhombohedral", "axes" | "cell" | "setting"] => 'R',
+        _ => return None,
+    };
+    Some((name.trim_end(), choice))
 }
 
 /// The ways to read a symbol, as folded names with a choice of origin or axes, best first.
