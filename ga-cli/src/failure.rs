@@ -72,7 +72,8 @@ pub enum Failure {
     /// A structure of struts and cables cannot be made.
     #[error(transparent)]
     Tensegrity(#[from] TensegrityError),
-    /// The command line asks for what there is not, in a way that only the command can tell.
+    /// The command line asks for what there is not, in a way that only the command can tell; the message
+    /// says what there is.
     #[error("{0}")]
     Usage(String),
     /// A motif cannot be read from its file.
@@ -116,10 +117,7 @@ impl Failure {
         // Where standard error is closed too, the exit code alone must tell.
         let _ = writeln!(io::stderr(), "error: {}", self.to_string().trim_end());
         match self {
-            Failure::Usage(_) => {
-                let _ = writeln!(io::stderr(), "\nFor more information, try '--help'.");
-                ExitCode::from(2)
-            }
+            Failure::Usage(_) => ExitCode::from(2),
             _ => ExitCode::FAILURE,
         }
     }

@@ -114,6 +114,10 @@ fn publish(staged: Vec<Staged>) -> Result<(), ExportError> {
 
 fn failure(path: &Path, action: &'static str, source: io::Error) -> ExportError {
     let remedy = match source.kind() {
+        // A directory in which the system alone makes files, such as `/proc`.
+        io::ErrorKind::NotFound if path.parent().is_some_and(Path::is_dir) => {
+            "no files can be made in this directory: choose another one"
+        }
         io::ErrorKind::NotFound => "make its directory first",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "choose a directory that you may write to"

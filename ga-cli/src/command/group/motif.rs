@@ -55,6 +55,10 @@ pub fn find(text: Option<&str>, is_flat: bool) -> Result<MotifShape, Failure> {
         Some("obj") => file::obj(path),
         Some("stl") => file::stl(path),
         Some("xyz") => file::atoms(path),
+        _ if path.is_dir() => Err(Failure::Usage(format!(
+            "--motif {}: this is a directory; give a file .obj, .stl or .xyz in it",
+            short(text)
+        ))),
         _ => Err(Failure::Usage(format!(
             "--motif {}: no such motif; give one of {}, or a file .obj, .stl or .xyz",
             short(text),
