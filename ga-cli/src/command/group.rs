@@ -32,7 +32,7 @@ use std::path::PathBuf;
 #[command(group = clap::ArgGroup::new("kind").multiple(false))]
 pub struct Arguments {
     /// The group: its number in International Tables (227), or its symbol: Hermann–Mauguin, short, full or
-    /// extended, with :1 :2 :H :R for origin or axes ("F d -3 m:2"), Schoenflies (Oh^7), Hall
+    /// extended, with :1 :2 :H :R for origin or axes ("F d -3 m:2", 14:c1), Schoenflies (Oh^7), Hall
     /// ("-F 4vw 2vw 3") or geometric ("F_d 4 3").
     #[arg(
         value_name = "GROUP",
@@ -113,6 +113,7 @@ const EXAMPLES: &str = "Examples:
   articulate group \"P 21/c\" --cell 5,6,7,100 --json
   articulate group 19 --motif hand --out hands.png --out hands.glb
   articulate group 19 --domain --symmetry --out domain.png
+  articulate group \"-C 4 2\"
   articulate group 225 --at 0.25,0.25,0.25 --cell 5.64
   articulate group p4g --wallpaper --out p4g.svg
   articulate group p_6_3mc --rod --motif helix --cells 3 --out rod.glb
@@ -158,7 +159,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // A word that begins so is no symbol in any notation.
     if text.starts_with("--") {
         let text = request::short(text);
-        return Err(Failure::Usage(format!("unexpected argument `{text}`")));
+        return Err(Failure::Usage(format!(
+            "unexpected argument `{text}`; --help lists those that there are"
+        )));
     }
     arguments.check_lengths()?;
     let mark = progress::waiting("generating the group");

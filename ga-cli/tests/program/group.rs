@@ -53,7 +53,7 @@ pub fn texts(list: &Value) -> Vec<String> {
 }
 
 /// The operations that moyo has for a Hall symbol; it writes `^` and `=` for `'` and `"`.
-fn judged(hall: &str) -> BTreeSet<Key> {
+pub fn judged(hall: &str) -> BTreeSet<Key> {
     let symbol =
         HallSymbol::new(&hall.replace('\'', "^").replace('"', "=")).expect("a Hall symbol");
     let mut keys = BTreeSet::new();

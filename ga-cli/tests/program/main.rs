@@ -8,6 +8,7 @@ mod group;
 mod group_domain;
 mod group_failures;
 mod group_files;
+mod group_unlisted;
 mod group_versors;
 mod run;
 mod symmetry;

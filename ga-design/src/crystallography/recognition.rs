@@ -18,6 +18,7 @@ use super::symbols::{CrystalSystem, SpaceGroup};
 
 mod axes;
 mod primitive;
+mod setting;
 
 type Exact = Ratio<i128>;
 type Matrix = [[i128; 3]; 3];

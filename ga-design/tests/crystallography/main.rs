@@ -16,3 +16,4 @@ mod standard_cell;
 mod strangers;
 mod symmetry_elements;
 mod symmetry_symbols;
+mod unlisted;

@@ -5,8 +5,8 @@ use super::request::short;
 use crate::failure::Failure;
 use ga_design::crystallography::lattice::Axis;
 use ga_design::crystallography::{
-    Cell, CellParameters, CellRange, CellShape, CrystalSystem, SubperiodicGroup, SubperiodicKind,
-    SubperiodicLattice,
+    Cell, CellParameters, CellRange, CellShape, CrystalSystem, Recognition, SpaceGroup,
+    SubperiodicGroup, SubperiodicKind, SubperiodicLattice,
 };
 
 /// The size of the cell that is taken when none is given: edges of 10 to 15 ångström.
@@ -57,6 +57,29 @@ pub fn of_shape(shape: CellShape, text: Option<&str>) -> Result<Cell, Failure> {
     };
     shape.check(&cell).map_err(wrong_cell)?;
     shape.idealized(&cell).map_err(wrong_cell)
+}
+
+/// The cell of these parameters in a setting that is in no table, or one of a handy size.
+pub fn of_setting(setting: &Recognition, text: Option<&str>) -> Result<Cell, Failure> {
+    let Some(text) = text else {
+        let standard = SpaceGroup::standard(setting.number);
+        let shape = standard.map_or(CellShape::Triclinic, SpaceGroup::cell_shape);
+        return setting.cell(&handy(shape)?).map_err(wrong_cell);
+    };
+    match numbers("--cell", text)?.as_slice() {
+        &[a, b, c, alpha, beta, gamma] => {
+            let cell = Cell::new([a, b, c], [alpha, beta, gamma]).map_err(wrong_cell)?;
+            setting.idealized(&cell).map_err(|reason| {
+                Failure::Usage(format!("--cell: in the standard setting, {reason}"))
+            })
+        }
+        other => Err(Failure::Usage(format!(
+            "--cell {}: the cell of a setting that is in no table has all six parameters \
+             a,b,c,alpha,beta,gamma; here are {}",
+            short(text),
+            other.len()
+        ))),
+    }
 }
 
 fn wrong_cell(reason: impl std::fmt::Display) -> Failure {

@@ -2,8 +2,10 @@
 
 use crate::failure::Failure;
 use clap::ValueEnum;
+use ga_design::crystallography::symbols::plain_text;
 use ga_design::crystallography::{
-    CrystalClass, PointGroup, SpaceGroup, SpaceGroupGenerators, SubperiodicGroup, SubperiodicKind,
+    CrystalClass, PointGroup, Recognition, SpaceGroup, SpaceGroupGenerators, SubperiodicGroup,
+    SubperiodicKind,
 };
 use serde::Serialize;
 
@@ -49,14 +51,24 @@ impl Notation {
 
 /// A space group, and how it was found.
 pub struct Found {
-    /// The setting chosen.
+    /// The setting chosen; the standard one where the setting that is meant is in no table.
     pub group: &'static SpaceGroup,
+    /// The setting that is meant and is in no table.
+    pub unlisted: Option<Unlisted>,
     /// The notation in which the text was read.
     pub notation: Notation,
     /// The other settings that it fits.
     pub others: Vec<&'static SpaceGroup>,
     /// What it means in other notations, where that is another group.
     pub also: Vec<(Notation, &'static SpaceGroup)>,
+}
+
+/// A setting that is in no table.
+pub struct Unlisted {
+    /// Its Hall symbol.
+    pub hall: String,
+    /// How the standard setting leads to it.
+    pub setting: Recognition,
 }
 
 const NOTATIONS: [Notation; 5] = [
@@ -69,6 +81,7 @@ const NOTATIONS: [Notation; 5] = [
 
 /// The space group that a text means, in this notation or in the first of all in which it means one.
 pub fn space(text: &str, notation: Option<Notation>) -> Result<Found, Failure> {
+    let text = &*plain_text(text);
     check_number("space", 230, text)?;
     check_choice(text)?;
     let wanted: Vec<Notation> = notation.map_or(NOTATIONS.to_vec(), |only| vec![only]);
@@ -77,7 +90,9 @@ pub fn space(text: &str, notation: Option<Notation>) -> Result<Found, Failure> {
         .map(|notation| (notation, settings(text, notation)))
         .filter(|(_, settings)| !settings.is_empty());
     let Some((read_as, settings)) = readings.next() else {
-        return Err(unknown(text, notation));
+        let is_hall = notation.is_none_or(|only| only == Notation::Hall);
+        let unlisted = is_hall.then(|| unlisted(text)).flatten();
+        return unlisted.ok_or_else(|| unknown(text, notation));
     };
     let [group, others @ ..] = settings.as_slice() else {
         return Err(unknown(text, notation));
@@ -88,6 +103,7 @@ pub fn space(text: &str, notation: Option<Notation>) -> Result<Found, Failure> {
         .collect();
     Ok(Found {
         group,
+        unlisted: None,
         notation: read_as,
         others: others.to_vec(),
         also,
@@ -127,9 +143,6 @@ fn settings(text: &str, notation: Notation) -> Vec<&'static SpaceGroup> {
 
 /// What is said of a text that means nothing, with the nearest that does.
 fn unknown(text: &str, notation: Option<Notation>) -> Failure {
-    if let Some(hall) = unlisted(text) {
-        return Failure::Usage(hall);
-    }
     let is_point = PointGroup::from_geometric(text).is_ok()
         || CrystalClass::from_international(text).is_ok()
         || CrystalClass::from_schoenflies(text).is_ok();
@@ -149,7 +162,7 @@ fn unknown(text: &str, notation: Option<Notation>) -> Failure {
         return Failure::Usage(error.to_string());
     }
     Failure::Usage(match (SpaceGroup::find(text), notation) {
-        (Err(error), _) => error.to_string(),
+        (Err(error), _) => format!("{error}{}", larger_cell(text)),
         // It is known, only not in the notation that was asked for.
         (Ok(_), Some(asked)) => {
             let (text, asked) = (short(text), asked.name());
@@ -159,23 +172,39 @@ fn unknown(text: &str, notation: Option<Notation>) -> Failure {
     })
 }
 
-/// The message for a Hall symbol of a setting that is in no table.
-fn unlisted(text: &str) -> Option<String> {
-    let operations = ga_design::crystallography::hall::operations(text.trim()).ok()?;
-    if SpaceGroup::identify(&operations).is_some() {
-        return None;
+/// What is added for the symbol of a tetragonal group in a larger cell, such as `C 4/m m m`.
+fn larger_cell(text: &str) -> &'static str {
+    let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let mut letters = plain.chars();
+    let letter = letters.next().map(|c| c.to_ascii_uppercase());
+    let is_fourfold = letters.as_str().trim_start_matches('-').starts_with('4');
+    match letter {
+        Some('C') if is_fourfold => {
+            "; C is a larger cell of a tetragonal group: give its symbol with P, in the cell whose axes are \
+             along the diagonals of this one, or its Hall symbol, such as `-C 4 2` for `C 4/m m m`"
+        }
+        // With a 3 it is meant to be cubic.
+        Some('F') if is_fourfold && !plain.contains('3') => {
+            "; F is a larger cell of a tetragonal group: give its symbol with I, in the cell whose axes are \
+             along the diagonals of this one, or its Hall symbol, such as `-F 4 2` for `F 4/m m m`"
+        }
+        _ => "",
     }
-    let found = SpaceGroup::recognise(&operations)?;
-    let standard = SpaceGroup::standard(found.number)?;
-    Some(format!(
-        "the Hall symbol `{}` is an unusual setting of {} (number {}), to which {} leads from the \
-         standard one; give a setting of International Tables, such as `{}`",
-        short(text),
-        standard.symbol,
-        standard.number,
-        found.from_standard,
-        standard.hall,
-    ))
+}
+
+/// What a Hall symbol means whose setting is in no table.
+fn unlisted(text: &str) -> Option<Found> {
+    let setting = Recognition::of_hall(text)?;
+    Some(Found {
+        group: SpaceGroup::standard(setting.number)?,
+        unlisted: Some(Unlisted {
+            hall: text.trim().to_owned(),
+            setting,
+        }),
+        notation: Notation::Hall,
+        others: Vec::new(),
+        also: Vec::new(),
+    })
 }
 
 /// The group of fewer translations that a text means, and the other settings that it fits.
@@ -216,9 +245,20 @@ fn check_number(kind: &str, count: u32, text: &str) -> Result<(), Failure> {
 
 /// Refuses what stands after a colon and is no choice of origin or axes: 1, 2, H, R, or axes such as `b1`.
 fn check_choice(text: &str) -> Result<(), Failure> {
-    let Some((_, choice)) = text.split_once(':') else {
+    let Some((name, choice)) = text.split_once(':') else {
         return Ok(());
     };
+    let number = name.trim().parse::<u32>().ok();
+    if let (Some(number), Err(_)) = (number, SpaceGroup::find(text)) {
+        let remedy = match number {
+            3..=15 => "its unique axis, b, c or a, and the choice of its cell, such as c or b1",
+            _ => "the choice of its origin, 1 or 2, or of its axes, H or R, if it has one",
+        };
+        return Err(Failure::Usage(format!(
+            "`{}`: group {number} has no setting of this name; after the colon stands {remedy}",
+            short(text),
+        )));
+    }
     let first = choice.trim().trim_start_matches('-').chars().next();
     let first = first.map(|c| c.to_ascii_lowercase());
     match first {

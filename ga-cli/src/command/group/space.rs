@@ -3,7 +3,7 @@
 use super::document::{
     Document, Drawn, Lattice, Periodic, Placed, Reading, RootVectors, Setting, Symbols, Wyckoff,
 };
-use super::request::{self, Found};
+use super::request::{self, Found, Unlisted};
 use super::scene::{Drawing, Frame};
 use super::site::{self, Site};
 use super::versor::Versor;
@@ -22,15 +22,26 @@ use ga_design::export::ExportError;
 pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
     let found = request::space(text, arguments.notation)?;
     let group = found.group;
-    let cell = cell::of_shape(group.cell_shape(), arguments.cell.as_deref())?;
     let wrong = |reason: &dyn std::fmt::Display| Failure::Usage(reason.to_string());
-    let generation = group.generate(&cell).map_err(|reason| wrong(&reason))?;
+    let wanted = arguments.cell.as_deref();
+    let (cell, generation, positions) = match &found.unlisted {
+        None => {
+            let cell = cell::of_shape(group.cell_shape(), wanted)?;
+            (cell, group.generate(&cell), group.wyckoff_positions())
+        }
+        Some(Unlisted { setting, .. }) => {
+            let cell = cell::of_setting(setting, wanted)?;
+            let change = &setting.from_standard;
+            let positions = WyckoffPositions::in_setting(setting.number, change);
+            (cell, setting.generate(&cell), positions)
+        }
+    };
+    let generation = generation.map_err(|reason| wrong(&reason))?;
     let range = cell::range(arguments.cells.as_deref(), [true; 3], [1; 3])?;
     let operations = generation.operations();
     let versors = generation.versors();
     let edges = cell.edge_vectors().map(Vector3::from);
 
-    let positions = group.wyckoff_positions();
     let site = match arguments.point()? {
         Some(point) => Some(located(
             arguments,
@@ -48,6 +59,9 @@ pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
     };
 
     let mut document = periodic(group, &generation, &operations)?;
+    if let Some(unlisted) = &found.unlisted {
+        rename(&mut document, unlisted, &generation);
+    }
     document.setting.others = found
         .others
         .iter()
@@ -79,8 +93,8 @@ pub fn make(arguments: &Arguments, text: &str) -> Result<Made, Failure> {
     document.symmetry_elements = elements.as_ref().map(symmetry::described);
 
     let frame = Frame {
-        title: format!("{} (number {})", group.symbol, group.number),
-        caption: caption(group, elements.as_ref(), arguments.domain),
+        title: format!("{} (number {})", document.hm, group.number),
+        caption: caption(&document, elements.as_ref(), arguments.domain),
         isometries: versors,
         cell: Some(cell),
         edges,
@@ -188,6 +202,35 @@ pub fn periodic(
     })
 }
 
+/// Names a setting that is in no table, where the document has the standard one.
+fn rename(document: &mut Periodic, unlisted: &Unlisted, generation: &Generation) {
+    let symbol = format!("{} ({})", document.hm, unlisted.setting.from_standard);
+    document.symbols = Symbols {
+        short: symbol.clone(),
+        full: symbol.clone(),
+        extended: None,
+        qualified: symbol.clone(),
+    };
+    document.hm = symbol;
+    document.hall.clone_from(&unlisted.hall);
+    let mut points = generation.translations().to_vec();
+    points.sort_unstable();
+    let centring = Centring::ALL.into_iter().find(|centring| {
+        let mut translations = centring.translations();
+        translations.sort_unstable();
+        translations == points
+    });
+    // Of a cell that no letter stands for, the points alone tell.
+    document.lattice.centring =
+        centring.map_or_else(String::new, |known| known.letter().to_string());
+    document.setting = Setting {
+        choice: None,
+        standard: false,
+        from_standard: Some(unlisted.setting.from_standard.to_string()),
+        others: Vec::new(),
+    };
+}
+
 /// The Wyckoff positions, the general one last.
 fn wyckoff(positions: &WyckoffPositions) -> Vec<Wyckoff> {
     let all = positions.positions().iter();
@@ -234,6 +277,13 @@ fn located(
 fn remarks(found: &Found, text: &str) -> Vec<String> {
     let mut remarks = Vec::new();
     let text = request::short(text);
+    if let Some(unlisted) = &found.unlisted {
+        remarks.push(format!(
+            "`{text}` is the Hall symbol of an unusual setting of {} (number {}), to which {} leads from the \
+             standard one",
+            found.group.symbol, found.group.number, unlisted.setting.from_standard
+        ));
+    }
     if !found.others.is_empty() {
         let others: Vec<String> = found
             .others
@@ -259,13 +309,11 @@ fn remarks(found: &Found, text: &str) -> Vec<String> {
     remarks
 }
 
-fn caption(group: &SpaceGroup, elements: Option<&SymmetryElements>, domain: bool) -> String {
+fn caption(group: &Periodic, elements: Option<&SymmetryElements>, domain: bool) -> String {
     let mut base = format!(
         "Space group {}, number {}, {}: the copies that a reflection has turned into their mirror images \
          have the second colour.",
-        group.symbol,
-        group.number,
-        group.crystal_system()
+        group.hm, group.number, group.system
     );
     if domain {
         base.push_str(
