@@ -65,7 +65,7 @@ fn conformal_declaration() -> String {
 
 /// CPU seconds of compiling ga-cga alone, its dependencies built before.
 fn compile_seconds() -> Result<f64, String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     let cargo = |arguments: &[&str]| {
         let status = Command::new(env!("CARGO"))
             .args(arguments)

@@ -1,0 +1,116 @@
+//! R3: rotors on vectors and rotors times rotors, against quaternions and rotors of others.
+
+use ga_benches::race::Contestant;
+
+use crate::data::Source;
+use crate::others;
+use crate::ours::euclidean::{Rotor, Vector};
+use crate::table::{Contest, Goal, Table};
+
+/// The contests over one type of numbers.
+macro_rules! contests {
+    ($float:ident $module:ident) => {
+        fn $module(table: &mut Table) {
+            use others::$module::*;
+
+            let mut source = Source::new(1);
+            let (a, b, x) = (source.rotations(), source.rotations(), source.vectors());
+            // s − (e₂₃ i + e₃₁ j + e₁₂ k)
+            let rotor = |q: &[f64; 4]| {
+                let [w, x, y, z] = q.map(number);
+                Rotor::new(w, -x, -y, -z)
+            };
+            let vector = |x: &[f64; 3]| {
+                let [x, y, z] = x.map(number);
+                Vector::new(x, y, z)
+            };
+
+            table.add(Contest {
+                operation: "rotor-on-vector",
+                scalar: stringify!($float),
+                homogeneous: false,
+                goal: Goal::Fastest,
+                yardstick: None,
+                contestants: vec![
+                    Contestant::binary(
+                        "ours",
+                        a.iter().map(rotor).collect(),
+                        x.iter().map(vector).collect(),
+                        |q, x| q.apply(x),
+                        |x| view(x.to_array()),
+                    ),
+                    Contestant::binary(
+                        "nalgebra",
+                        a.iter().map(quaternion).collect(),
+                        x.iter().map(column).collect(),
+                        |q, x| q * x,
+                        |x| view((*x).into()),
+                    ),
+                    Contestant::binary(
+                        "glam",
+                        a.iter().map(quat).collect(),
+                        x.iter().map(vec).collect(),
+                        |q, x| q * x,
+                        |x| view(x.to_array()),
+                    ),
+                    Contestant::binary(
+                        "ultraviolet",
+                        a.iter().map(ultra_rotor).collect(),
+                        x.iter().map(ultra_vec).collect(),
+                        |q, x| q * x,
+                        |x| view((*x).into()),
+                    ),
+                ],
+            });
+            table.add(Contest {
+                operation: "rotor·rotor",
+                scalar: stringify!($float),
+                homogeneous: false,
+                goal: Goal::Fastest,
+                yardstick: None,
+                contestants: vec![
+                    Contestant::binary(
+                        "ours",
+                        a.iter().map(rotor).collect(),
+                        b.iter().map(rotor).collect(),
+                        |a, b| a * b,
+                        |q| {
+                            let [s, x, y, z] = q.to_array();
+                            view([s, -x, -y, -z])
+                        },
+                    ),
+                    Contestant::binary(
+                        "nalgebra",
+                        a.iter().map(quaternion).collect(),
+                        b.iter().map(quaternion).collect(),
+                        |a, b| a * b,
+                        |q| view([q.w, q.i, q.j, q.k]),
+                    ),
+                    Contestant::binary(
+                        "glam",
+                        a.iter().map(quat).collect(),
+                        b.iter().map(quat).collect(),
+                        |a, b| a * b,
+                        |q| view([q.w, q.x, q.y, q.z]),
+                    ),
+                    Contestant::binary(
+                        "ultraviolet",
+                        a.iter().map(ultra_rotor).collect(),
+                        b.iter().map(ultra_rotor).collect(),
+                        |a, b| a * b,
+                        |q| view([q.s, -q.bv.yz, q.bv.xz, -q.bv.xy]),
+                    ),
+                ],
+            });
+        }
+    };
+}
+
+contests!(f32 single);
+contests!(f64 double);
+
+/// The contests over both types of numbers.
+pub fn run(table: &mut Table) {
+    single(table);
+    double(table);
+}

@@ -1,0 +1,379 @@
+//! R3,0,1: rigid motions, and what is joined and met, against isometries, dual quaternions and
+//! matrices, and against `geometric_algebra`, which has the same algebra in f32.
+
+mod geometric_algebra;
+
+use ga_benches::race::Contestant;
+
+use crate::data::{Motion, Source};
+use crate::others;
+use crate::ours::plane_based::{Line, Plane, Point, Rotor, Translator, screw};
+use crate::ours::unit;
+use crate::table::{Contest, Goal, Table};
+
+/// The data of all contests, in coordinates.
+struct Data {
+    a: Vec<Motion>,
+    b: Vec<Motion>,
+    x: Vec<[f64; 3]>,
+    y: Vec<[f64; 3]>,
+    planes: [Vec<[f64; 4]>; 3],
+}
+
+impl Data {
+    fn new() -> Self {
+        let mut source = Source::new(2);
+        Data {
+            a: source.motions(),
+            b: source.motions(),
+            x: source.vectors(),
+            y: source.vectors(),
+            planes: std::array::from_fn(|_| source.planes()),
+        }
+    }
+}
+
+/// Where the corners of a frame are taken: a motion, whatever it is stored as.
+const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// One motion on all points: each library by what it has for that.
+macro_rules! one_on_many {
+    ($float:ident, $data:ident, $motor:ident, $points:ident) => {{
+        let one = &$data.a[0];
+        let (own, isometry, dual) = ($motor(one), isometry(one), dual_quaternion(one));
+        let (affine, matrix, ultra) = (affine(one), matrix(one), ultra_isometry(one));
+        let homogeneous = isometry.to_homogeneous();
+        let columns = $data.x.iter().map(point).collect::<Vec<_>>();
+        let vecs = $data.x.iter().map(vec).collect::<Vec<_>>();
+        vec![
+            Contestant::unary(
+                "ours",
+                $points.clone(),
+                move |p| own.apply(p),
+                |p| view(p.to_array()),
+            ),
+            Contestant::unary(
+                "nalgebra",
+                columns.clone(),
+                move |p| isometry * p,
+                |p| view((*p).into()),
+            ),
+            Contestant::unary(
+                "nalgebra-dual-quat",
+                columns.clone(),
+                move |p| dual * p,
+                |p| view((*p).into()),
+            ),
+            Contestant::unary(
+                "nalgebra-matrix",
+                columns,
+                move |p| homogeneous.transform_point(&p),
+                |p| view((*p).into()),
+            ),
+            Contestant::unary(
+                "glam-affine",
+                vecs.clone(),
+                move |p| affine.transform_point3(p),
+                |p| view(p.to_array()),
+            ),
+            Contestant::unary(
+                "glam-mat4",
+                vecs,
+                move |p| matrix.transform_point3(p),
+                |p| view(p.to_array()),
+            ),
+            Contestant::unary(
+                "ultraviolet",
+                $data.x.iter().map(ultra_vec).collect(),
+                move |p| ultra.transform_vec(p),
+                |p| view((*p).into()),
+            ),
+        ]
+    }};
+}
+
+/// The contests over one type of numbers.
+macro_rules! contests {
+    ($float:ident $module:ident) => {
+        fn $module(table: &mut Table) {
+            use others::$module::*;
+
+            let data = Data::new();
+            let scalar = stringify!($float);
+            let with_geometric_algebra = scalar == "f32";
+            let at = |x: &[f64; 3]| {
+                let [x, y, z] = x.map(number);
+                Point::new(x, y, z)
+            };
+            let motor = |motion: &Motion| {
+                let [w, x, y, z] = motion.rotation.map(number);
+                let [tx, ty, tz] = motion.translation.map(|t| number(-0.5 * t));
+                unit(Translator::new(tx, ty, tz) * Rotor::new(w, -x, -y, -z))
+            };
+            let join = |(x, y): (&[f64; 3], &[f64; 3])| -> Line<$float> { at(x) & at(y) };
+            let lines: Vec<_> = data.x.iter().zip(&data.y).map(join).collect();
+            let planes = data.planes.each_ref().map(|planes| {
+                let plane = |plane: &[f64; 4]| {
+                    let [a, b, c, d] = plane.map(number);
+                    Plane::new(a, b, c, d)
+                };
+                planes.iter().map(plane).collect::<Vec<_>>()
+            });
+            let motors: Vec<_> = data.a.iter().map(motor).collect();
+            let points: Vec<_> = data.x.iter().map(at).collect();
+
+            let mut contestants = vec![
+                Contestant::binary(
+                    "ours",
+                    motors.clone(),
+                    data.b.iter().map(motor).collect(),
+                    |a, b| a * b,
+                    |m| {
+                        let corner = |x: &[f64; 3]| view(m.apply(at(x)).to_array());
+                        CORNERS.iter().flat_map(corner).collect()
+                    },
+                ),
+                Contestant::binary(
+                    "nalgebra",
+                    data.a.iter().map(isometry).collect(),
+                    data.b.iter().map(isometry).collect(),
+                    |a, b| a * b,
+                    |m| {
+                        CORNERS
+                            .iter()
+                            .flat_map(|x| view((m * point(x)).into()))
+                            .collect()
+                    },
+                ),
+                Contestant::binary(
+                    "nalgebra-dual-quat",
+                    data.a.iter().map(dual_quaternion).collect(),
+                    data.b.iter().map(dual_quaternion).collect(),
+                    |a, b| a * b,
+                    |m| {
+                        CORNERS
+                            .iter()
+                            .flat_map(|x| view((m * point(x)).into()))
+                            .collect()
+                    },
+                ),
+                Contestant::binary(
+                    "glam-affine",
+                    data.a.iter().map(affine).collect(),
+                    data.b.iter().map(affine).collect(),
+                    |a, b| a * b,
+                    |m| {
+                        let corner = |x| view(m.transform_point3(vec(x)).to_array());
+                        CORNERS.iter().flat_map(corner).collect()
+                    },
+                ),
+                Contestant::binary(
+                    "ultraviolet",
+                    data.a.iter().map(ultra_isometry).collect(),
+                    data.b.iter().map(ultra_isometry).collect(),
+                    |a, b| a * b,
+                    |m| {
+                        CORNERS
+                            .iter()
+                            .flat_map(|x| view((*m * ultra_vec(x)).into()))
+                            .collect()
+                    },
+                ),
+            ];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::motor_times_motor(&data));
+            }
+            table.add(Contest {
+                operation: "motor·motor",
+                scalar,
+                homogeneous: false,
+                goal: Goal::Fastest,
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![
+                Contestant::binary(
+                    "ours",
+                    motors.clone(),
+                    points.clone(),
+                    |m, p| m.apply(p),
+                    |p| view(p.to_array()),
+                ),
+                Contestant::binary(
+                    "nalgebra",
+                    data.a.iter().map(isometry).collect(),
+                    data.x.iter().map(point).collect(),
+                    |m, p| m * p,
+                    |p| view((*p).into()),
+                ),
+                Contestant::binary(
+                    "nalgebra-dual-quat",
+                    data.a.iter().map(dual_quaternion).collect(),
+                    data.x.iter().map(point).collect(),
+                    |m, p| m * p,
+                    |p| view((*p).into()),
+                ),
+                Contestant::binary(
+                    "glam-affine",
+                    data.a.iter().map(affine).collect(),
+                    data.x.iter().map(vec).collect(),
+                    |m, p| m.transform_point3(p),
+                    |p| view(p.to_array()),
+                ),
+                Contestant::binary(
+                    "glam-mat4",
+                    data.a.iter().map(matrix).collect(),
+                    data.x.iter().map(vec).collect(),
+                    |m, p| m.transform_point3(p),
+                    |p| view(p.to_array()),
+                ),
+                Contestant::binary(
+                    "ultraviolet",
+                    data.a.iter().map(ultra_isometry).collect(),
+                    data.x.iter().map(ultra_vec).collect(),
+                    |m, p| m.transform_vec(p),
+                    |p| view((*p).into()),
+                ),
+            ];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::motor_on_point(&data));
+            }
+            table.add(Contest {
+                operation: "motor-on-point",
+                scalar,
+                homogeneous: false,
+                goal: Goal::Fastest,
+                yardstick: None,
+                contestants,
+            });
+
+            let contestants = one_on_many!($float, data, motor, points);
+            table.add(Contest {
+                operation: "one-motor-on-points",
+                scalar,
+                homogeneous: false,
+                goal: Goal::Fastest,
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::binary(
+                "ours",
+                motors.clone(),
+                lines.clone(),
+                |m, l| m.apply(l),
+                |l| view(l.to_array()),
+            )];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::motor_on_line(&data));
+            }
+            table.add(Contest {
+                operation: "motor-on-line",
+                scalar,
+                homogeneous: true,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::binary(
+                "ours",
+                motors.clone(),
+                planes[0].clone(),
+                |m, p| m.apply(p),
+                |p| view(p.to_array()),
+            )];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::motor_on_plane(&data));
+            }
+            table.add(Contest {
+                operation: "motor-on-plane",
+                scalar,
+                homogeneous: true,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::binary(
+                "ours",
+                points.clone(),
+                data.y.iter().map(at).collect(),
+                |p, q| p & q,
+                |l: &Line<$float>| view(l.to_array()),
+            )];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::join_of_points(&data));
+            }
+            table.add(Contest {
+                operation: "join-of-points",
+                scalar,
+                homogeneous: true,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::ternary(
+                "ours",
+                planes,
+                |a, b, c| (a ^ b) ^ c,
+                |p| view(p.to_array()),
+            )];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::meet_of_planes(&data));
+            }
+            table.add(Contest {
+                operation: "meet-of-three-planes",
+                scalar,
+                homogeneous: true,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::unary("ours", lines, screw, |m| {
+                view(m.to_array())
+            })];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::exponential(&data));
+            }
+            table.add(Contest {
+                operation: "exp-of-line",
+                scalar,
+                homogeneous: false,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+
+            let mut contestants = vec![Contestant::unary(
+                "ours",
+                motors,
+                |m| m.log().unwrap_or_default(),
+                |l| view(l.to_array()),
+            )];
+            if with_geometric_algebra {
+                contestants.push(geometric_algebra::logarithm(&data));
+            }
+            table.add(Contest {
+                operation: "log-of-motor",
+                scalar,
+                homogeneous: false,
+                goal: Goal::Times(3.0),
+                yardstick: None,
+                contestants,
+            });
+        }
+    };
+}
+
+contests!(f32 single);
+contests!(f64 double);
+
+/// The contests over both types of numbers.
+pub fn run(table: &mut Table) {
+    single(table);
+    double(table);
+}

@@ -1,0 +1,158 @@
+//! One row for each operation and scalar: our time, the best of the others, their ratio.
+
+use std::fmt;
+
+use ga_benches::race::{Contestant, agree, race};
+
+/// What a row must reach.
+#[derive(Clone, Copy)]
+pub enum Goal {
+    /// No slower than the fastest other, within the noise.
+    Fastest,
+    /// That, and so many times as fast as the library `geometric_algebra`.
+    Times(f64),
+    /// At most so many times a rigid motion of a point by nalgebra in the same run.
+    OfIsometry(f64),
+    /// Nothing: the row is there to be read.
+    Shown,
+}
+
+/// What one contest is about.
+pub struct Contest {
+    /// The operation, without spaces.
+    pub operation: &'static str,
+    /// The type of the numbers.
+    pub scalar: &'static str,
+    /// Whether results are compared up to a factor.
+    pub homogeneous: bool,
+    /// What must be reached.
+    pub goal: Goal,
+    /// What the goal is a multiple of, if it is not among the contestants.
+    pub yardstick: Option<Contestant>,
+    /// This library first.
+    pub contestants: Vec<Contestant>,
+}
+
+struct Row {
+    operation: &'static str,
+    scalar: &'static str,
+    goal: Goal,
+    times: Vec<(&'static str, f64)>,
+    yardstick: Option<f64>,
+}
+
+/// The rows, in the order of the contests.
+#[derive(Default)]
+pub struct Table {
+    rows: Vec<Row>,
+    /// What the contestants did not agree on.
+    pub disagreements: Vec<String>,
+}
+
+/// The noise that a ratio may have.
+const NOISE: f64 = 1.05;
+
+impl Table {
+    /// Compares the results of a contest, then times it.
+    pub fn add(&mut self, mut contest: Contest) {
+        let Contest {
+            operation,
+            scalar,
+            goal,
+            ..
+        } = contest;
+        let tolerance = if scalar == "f32" { 1e-4 } else { 1e-11 };
+        if let Err(difference) = agree(&contest.contestants, tolerance, contest.homogeneous) {
+            self.disagreements
+                .push(format!("{operation} {scalar}: {difference}"));
+        }
+        let names: Vec<_> = contest.contestants.iter().map(|each| each.name).collect();
+        contest.contestants.extend(contest.yardstick);
+        let nanoseconds = race(&mut contest.contestants);
+        let yardstick = nanoseconds.get(names.len()).copied();
+        let times = names.into_iter().zip(nanoseconds).collect();
+        self.rows.push(Row {
+            operation,
+            scalar,
+            goal,
+            times,
+            yardstick,
+        });
+    }
+}
+
+impl Row {
+    fn time(&self, name: &str) -> Option<f64> {
+        self.times
+            .iter()
+            .find(|(other, _)| *other == name)
+            .map(|(_, time)| *time)
+    }
+
+    fn ours(&self) -> f64 {
+        self.times.first().map_or(f64::NAN, |(_, time)| *time)
+    }
+
+    fn best(&self) -> Option<(&'static str, f64)> {
+        let others = self.times.iter().skip(1).copied();
+        others.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// What was asked, and whether it is reached.
+    fn verdict(&self) -> String {
+        let reached = |reached| if reached { "reached" } else { "MISSED" };
+        let ratio = self.best().map_or(0.0, |(_, best)| self.ours() / best);
+        match self.goal {
+            Goal::Shown => match self.yardstick {
+                Some(time) => format!("{:.2} isometries on a point", self.ours() / time),
+                None => String::new(),
+            },
+            Goal::Fastest => format!("fastest: {}", reached(ratio <= NOISE)),
+            Goal::Times(times) => match self.time("geometric_algebra") {
+                Some(time) => {
+                    let gain = time / self.ours();
+                    let reached = reached(gain >= times && ratio <= NOISE);
+                    format!("{times} times geometric_algebra: {gain:.1}, {reached}")
+                }
+                None => format!("fastest: {}", reached(ratio <= NOISE)),
+            },
+            Goal::OfIsometry(times) => match self.yardstick {
+                Some(time) => {
+                    let share = self.ours() / time;
+                    let reached = reached(share <= times);
+                    format!("{times} isometries on a point: {share:.2}, {reached}")
+                }
+                None => String::new(),
+            },
+        }
+    }
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(
+            f,
+            "{:<26} {:<6} {:>7}  {:<22} {:>7} {:>6}  all and goal",
+            "operation", "scalar", "ours_ns", "best_name", "best_ns", "ratio"
+        )?;
+        for row in &self.rows {
+            let ours = row.ours();
+            let (best_name, best) = row.best().unwrap_or(("-", f64::NAN));
+            write!(
+                f,
+                "{:<26} {:<6} {ours:>7.2}  {best_name:<22} {best:>7.2} {:>6.2}  ",
+                row.operation,
+                row.scalar,
+                ours / best
+            )?;
+            for (name, time) in row.times.iter().skip(1) {
+                write!(f, "{name} {time:.2}, ")?;
+            }
+            writeln!(f, "{}", row.verdict())?;
+        }
+        for disagreement in &self.disagreements {
+            writeln!(f, "results differ: {disagreement}")?;
+        }
+        Ok(())
+    }
+}
