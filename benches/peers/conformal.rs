@@ -1,61 +1,35 @@
 //! R4,1 in the null basis, in multiples of what a rigid motion of a point costs by nalgebra.
 
-use ga_benches::race::Contestant;
+use ga_benches::data::Data;
+use ga_benches::ours::conformal as ours;
+use ga_benches::ours::conformal::{circle, dense, line, motor, plane, sphere, versor};
+use ga_benches::race::{Contestant, ELEMENTS};
 
-use crate::data::{Motion, Source};
 use crate::others;
-use crate::ours::conformal::{
-    DualPlane, DualSphere, Motor, Multivector, Point, Rotor, Translator, Transversor, Versor,
-};
-use crate::ours::unit;
 use crate::table::{Contest, Goal, Table};
 
 /// The contests over one type of numbers.
 macro_rules! contests {
     ($float:ident $module:ident) => {
         fn $module(table: &mut Table) {
-            use others::$module::*;
+            use others::$module::{isometry, point, view};
 
             let scalar = stringify!($float);
-            let mut source = Source::new(3);
-            let (a, b) = (source.motions(), source.motions());
-            let corners: [_; 4] = std::array::from_fn(|_| source.vectors());
-
-            let at = |x: &[f64; 3]| {
-                let [x, y, z] = *x;
-                let square = 0.5 * (x * x + y * y + z * z);
-                Point::new(number(x), number(y), number(z), number(square))
-            };
-            let motor = |motion: &Motion| -> Motor<$float> {
-                let [w, x, y, z] = motion.rotation.map(number);
-                let [tx, ty, tz] = motion.translation.map(|t| number(-0.5 * t));
-                unit(Translator::new(tx, ty, tz) * Rotor::new(w, -z, y, -x))
-            };
-            let versor = |(motion, x): (&Motion, &[f64; 3])| -> Versor<$float> {
-                let [x, y, z] = x.map(number);
-                unit((motor(motion) * Transversor::new(x, y, z)).into())
-            };
-            let motors: Vec<_> = a.iter().map(motor).collect();
-            let versors: Vec<_> = a.iter().zip(&corners[0]).map(versor).collect();
-            let points = corners
-                .each_ref()
-                .map(|x| x.iter().map(at).collect::<Vec<_>>());
-            let circles = points[1].iter().zip(&points[2]).zip(&points[3]);
-            let circles: Vec<_> = circles.map(|((p, q), r)| *p ^ *q ^ *r).collect();
-            let lines: Vec<_> = points[1]
-                .iter()
-                .zip(&points[2])
-                .map(|(p, q)| {
-                    let infinity = DualPlane::new(0.0, 0.0, 0.0, 1.0);
-                    *p ^ *q ^ infinity
-                })
-                .collect();
+            let data = Data::new(ELEMENTS);
+            let ([a, b], [x, y, z, _]) = (&data.motions, &data.vectors);
+            let motors: Vec<_> = a.iter().map(motor::<$float>).collect();
+            let versors: Vec<_> = a.iter().zip(x).map(versor::<$float>).collect();
+            let points = data.vectors.each_ref();
+            let points = points.map(|x| x.iter().map(ours::point::<$float>).collect::<Vec<_>>());
+            let circles = x.iter().zip(y).zip(z).map(|((x, y), z)| circle([x, y, z]));
+            let circles: Vec<_> = circles.collect();
+            let lines: Vec<_> = x.iter().zip(y).map(line).collect();
 
             let mut add = |operation, goal, contestants| {
                 let yardstick = Contestant::binary(
                     "nalgebra-isometry-on-point",
                     a.iter().map(isometry).collect(),
-                    corners[0].iter().map(point).collect(),
+                    x.iter().map(point).collect(),
                     |m, p| m * p,
                     |p| view((*p).into()),
                 );
@@ -82,7 +56,7 @@ macro_rules! contests {
                     Contestant::binary(
                         "nalgebra",
                         a.iter().map(isometry).collect(),
-                        corners[0].iter().map(point).collect(),
+                        x.iter().map(point).collect(),
                         |m, p| m * p,
                         |p| view((*p).into()),
                     ),
@@ -132,22 +106,8 @@ macro_rules! contests {
                     |c| view(c.to_array()),
                 )],
             );
-            let sphere = |(x, [r, ..]): (&[f64; 3], &[f64; 3])| {
-                let center = at(x);
-                DualSphere::new(
-                    1.0,
-                    center.e1,
-                    center.e2,
-                    center.e3,
-                    center.ni - number(r * r),
-                )
-            };
-            let spheres: Vec<_> = corners[0].iter().zip(&corners[1]).map(sphere).collect();
-            let plane = |x: &[f64; 4]| {
-                let [a, b, c, d] = x.map(number);
-                DualPlane::new(a, b, c, d)
-            };
-            let planes: Vec<_> = source.planes().iter().map(plane).collect();
+            let spheres: Vec<_> = x.iter().zip(y).map(sphere::<$float>).collect();
+            let planes: Vec<_> = data.planes[0].iter().map(plane::<$float>).collect();
             add(
                 "sphere∧plane",
                 Goal::Shown,
@@ -181,17 +141,14 @@ macro_rules! contests {
                     |p| view(p.to_array()),
                 )],
             );
-            let dense = |versor: &Versor<$float>| Multivector::from(*versor);
-            let reversed = |versor: &Versor<$float>| {
-                Multivector::from(versor.reverse()) + DualSphere::new(1.0, 2.0, 3.0, 4.0, 5.0)
-            };
+            let dense = |x: &Vec<_>| versors.iter().zip(x).map(dense).collect::<Vec<_>>();
             add(
                 "dense-32×32",
                 Goal::OfIsometry(50.0),
                 vec![Contestant::binary(
                     "ours",
-                    versors.iter().map(dense).collect(),
-                    versors.iter().map(reversed).collect(),
+                    dense(x),
+                    dense(y),
                     |a, b| a * b,
                     |m| view(m.to_array()),
                 )],

@@ -1,11 +1,11 @@
 //! R3: rotors on vectors and rotors times rotors, against quaternions and rotors of others.
 
-use ga_benches::race::Contestant;
+use ga_benches::race::{Contestant, ELEMENTS};
 
-use crate::data::Source;
 use crate::others;
-use crate::ours::euclidean::{Rotor, Vector};
 use crate::table::{Contest, Goal, Table};
+use ga_benches::data::Data;
+use ga_benches::ours::euclidean::{rotor, vector};
 
 /// The contests over one type of numbers.
 macro_rules! contests {
@@ -13,17 +13,9 @@ macro_rules! contests {
         fn $module(table: &mut Table) {
             use others::$module::*;
 
-            let mut source = Source::new(1);
-            let (a, b, x) = (source.rotations(), source.rotations(), source.vectors());
-            // s − (e₂₃ i + e₃₁ j + e₁₂ k)
-            let rotor = |q: &[f64; 4]| {
-                let [w, x, y, z] = q.map(number);
-                Rotor::new(w, -x, -y, -z)
-            };
-            let vector = |x: &[f64; 3]| {
-                let [x, y, z] = x.map(number);
-                Vector::new(x, y, z)
-            };
+            let data = Data::new(ELEMENTS);
+            let [a, b] = &data.rotations;
+            let x = &data.vectors[0];
 
             table.add(Contest {
                 operation: "rotor-on-vector",
@@ -34,7 +26,7 @@ macro_rules! contests {
                 contestants: vec![
                     Contestant::binary(
                         "ours",
-                        a.iter().map(rotor).collect(),
+                        a.iter().map(rotor::<$float>).collect(),
                         x.iter().map(vector).collect(),
                         |q, x| q.apply(x),
                         |x| view(x.to_array()),
@@ -71,7 +63,7 @@ macro_rules! contests {
                 contestants: vec![
                     Contestant::binary(
                         "ours",
-                        a.iter().map(rotor).collect(),
+                        a.iter().map(rotor::<$float>).collect(),
                         b.iter().map(rotor).collect(),
                         |a, b| a * b,
                         |q| {

@@ -9,7 +9,7 @@ macro_rules! conversions {
     ) => {
         /// Data over these numbers.
         pub mod $module {
-            use crate::data::Motion;
+            use ga_benches::data::Motion;
 
             /// A number.
             pub fn number(x: f64) -> $float {

@@ -3,48 +3,26 @@
 
 mod geometric_algebra;
 
-use ga_benches::race::Contestant;
+use ga_benches::data::Data;
+use ga_benches::ours::plane_based as ours;
+use ga_benches::ours::plane_based::{Line, motor, plane, screw};
+use ga_benches::race::{Contestant, ELEMENTS};
 
-use crate::data::{Motion, Source};
 use crate::others;
-use crate::ours::plane_based::{Line, Plane, Point, Rotor, Translator, screw};
-use crate::ours::unit;
 use crate::table::{Contest, Goal, Table};
-
-/// The data of all contests, in coordinates.
-struct Data {
-    a: Vec<Motion>,
-    b: Vec<Motion>,
-    x: Vec<[f64; 3]>,
-    y: Vec<[f64; 3]>,
-    planes: [Vec<[f64; 4]>; 3],
-}
-
-impl Data {
-    fn new() -> Self {
-        let mut source = Source::new(2);
-        Data {
-            a: source.motions(),
-            b: source.motions(),
-            x: source.vectors(),
-            y: source.vectors(),
-            planes: std::array::from_fn(|_| source.planes()),
-        }
-    }
-}
 
 /// Where the corners of a frame are taken: a motion, whatever it is stored as.
 const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// One motion on all points: each library by what it has for that.
 macro_rules! one_on_many {
-    ($float:ident, $data:ident, $motor:ident, $points:ident) => {{
-        let one = &$data.a[0];
-        let (own, isometry, dual) = ($motor(one), isometry(one), dual_quaternion(one));
+    ($float:ident, $data:ident, $points:ident) => {{
+        let one = &$data.motions[0][0];
+        let (own, isometry, dual) = (motor(one), isometry(one), dual_quaternion(one));
         let (affine, matrix, ultra) = (affine(one), matrix(one), ultra_isometry(one));
         let homogeneous = isometry.to_homogeneous();
-        let columns = $data.x.iter().map(point).collect::<Vec<_>>();
-        let vecs = $data.x.iter().map(vec).collect::<Vec<_>>();
+        let columns = $data.vectors[0].iter().map(point).collect::<Vec<_>>();
+        let vecs = $data.vectors[0].iter().map(vec).collect::<Vec<_>>();
         vec![
             Contestant::unary(
                 "ours",
@@ -84,7 +62,7 @@ macro_rules! one_on_many {
             ),
             Contestant::unary(
                 "ultraviolet",
-                $data.x.iter().map(ultra_vec).collect(),
+                $data.vectors[0].iter().map(ultra_vec).collect(),
                 move |p| ultra.transform_vec(p),
                 |p| view((*p).into()),
             ),
@@ -98,45 +76,32 @@ macro_rules! contests {
         fn $module(table: &mut Table) {
             use others::$module::*;
 
-            let data = Data::new();
+            let data = Data::new(ELEMENTS);
+            let ([a, b], [x, y, ..]) = (&data.motions, &data.vectors);
             let scalar = stringify!($float);
             let with_geometric_algebra = scalar == "f32";
-            let at = |x: &[f64; 3]| {
-                let [x, y, z] = x.map(number);
-                Point::new(x, y, z)
-            };
-            let motor = |motion: &Motion| {
-                let [w, x, y, z] = motion.rotation.map(number);
-                let [tx, ty, tz] = motion.translation.map(|t| number(-0.5 * t));
-                unit(Translator::new(tx, ty, tz) * Rotor::new(w, -x, -y, -z))
-            };
-            let join = |(x, y): (&[f64; 3], &[f64; 3])| -> Line<$float> { at(x) & at(y) };
-            let lines: Vec<_> = data.x.iter().zip(&data.y).map(join).collect();
-            let planes = data.planes.each_ref().map(|planes| {
-                let plane = |plane: &[f64; 4]| {
-                    let [a, b, c, d] = plane.map(number);
-                    Plane::new(a, b, c, d)
-                };
-                planes.iter().map(plane).collect::<Vec<_>>()
-            });
-            let motors: Vec<_> = data.a.iter().map(motor).collect();
-            let points: Vec<_> = data.x.iter().map(at).collect();
+            let motors: Vec<_> = a.iter().map(motor::<$float>).collect();
+            let points: Vec<_> = x.iter().map(ours::point::<$float>).collect();
+            let lines: Vec<_> = x.iter().zip(y).map(ours::line::<$float>).collect();
+            let planes = data.planes.each_ref();
+            let planes =
+                planes.map(|planes| planes.iter().map(plane::<$float>).collect::<Vec<_>>());
 
             let mut contestants = vec![
                 Contestant::binary(
                     "ours",
                     motors.clone(),
-                    data.b.iter().map(motor).collect(),
+                    b.iter().map(motor).collect(),
                     |a, b| a * b,
                     |m| {
-                        let corner = |x: &[f64; 3]| view(m.apply(at(x)).to_array());
+                        let corner = |x: &[f64; 3]| view(m.apply(ours::point(x)).to_array());
                         CORNERS.iter().flat_map(corner).collect()
                     },
                 ),
                 Contestant::binary(
                     "nalgebra",
-                    data.a.iter().map(isometry).collect(),
-                    data.b.iter().map(isometry).collect(),
+                    a.iter().map(isometry).collect(),
+                    b.iter().map(isometry).collect(),
                     |a, b| a * b,
                     |m| {
                         CORNERS
@@ -147,8 +112,8 @@ macro_rules! contests {
                 ),
                 Contestant::binary(
                     "nalgebra-dual-quat",
-                    data.a.iter().map(dual_quaternion).collect(),
-                    data.b.iter().map(dual_quaternion).collect(),
+                    a.iter().map(dual_quaternion).collect(),
+                    b.iter().map(dual_quaternion).collect(),
                     |a, b| a * b,
                     |m| {
                         CORNERS
@@ -159,8 +124,8 @@ macro_rules! contests {
                 ),
                 Contestant::binary(
                     "glam-affine",
-                    data.a.iter().map(affine).collect(),
-                    data.b.iter().map(affine).collect(),
+                    a.iter().map(affine).collect(),
+                    b.iter().map(affine).collect(),
                     |a, b| a * b,
                     |m| {
                         let corner = |x| view(m.transform_point3(vec(x)).to_array());
@@ -169,8 +134,8 @@ macro_rules! contests {
                 ),
                 Contestant::binary(
                     "ultraviolet",
-                    data.a.iter().map(ultra_isometry).collect(),
-                    data.b.iter().map(ultra_isometry).collect(),
+                    a.iter().map(ultra_isometry).collect(),
+                    b.iter().map(ultra_isometry).collect(),
                     |a, b| a * b,
                     |m| {
                         CORNERS
@@ -202,36 +167,36 @@ macro_rules! contests {
                 ),
                 Contestant::binary(
                     "nalgebra",
-                    data.a.iter().map(isometry).collect(),
-                    data.x.iter().map(point).collect(),
+                    a.iter().map(isometry).collect(),
+                    x.iter().map(point).collect(),
                     |m, p| m * p,
                     |p| view((*p).into()),
                 ),
                 Contestant::binary(
                     "nalgebra-dual-quat",
-                    data.a.iter().map(dual_quaternion).collect(),
-                    data.x.iter().map(point).collect(),
+                    a.iter().map(dual_quaternion).collect(),
+                    x.iter().map(point).collect(),
                     |m, p| m * p,
                     |p| view((*p).into()),
                 ),
                 Contestant::binary(
                     "glam-affine",
-                    data.a.iter().map(affine).collect(),
-                    data.x.iter().map(vec).collect(),
+                    a.iter().map(affine).collect(),
+                    x.iter().map(vec).collect(),
                     |m, p| m.transform_point3(p),
                     |p| view(p.to_array()),
                 ),
                 Contestant::binary(
                     "glam-mat4",
-                    data.a.iter().map(matrix).collect(),
-                    data.x.iter().map(vec).collect(),
+                    a.iter().map(matrix).collect(),
+                    x.iter().map(vec).collect(),
                     |m, p| m.transform_point3(p),
                     |p| view(p.to_array()),
                 ),
                 Contestant::binary(
                     "ultraviolet",
-                    data.a.iter().map(ultra_isometry).collect(),
-                    data.x.iter().map(ultra_vec).collect(),
+                    a.iter().map(ultra_isometry).collect(),
+                    x.iter().map(ultra_vec).collect(),
                     |m, p| m.transform_vec(p),
                     |p| view((*p).into()),
                 ),
@@ -248,7 +213,7 @@ macro_rules! contests {
                 contestants,
             });
 
-            let contestants = one_on_many!($float, data, motor, points);
+            let contestants = one_on_many!($float, data, points);
             table.add(Contest {
                 operation: "one-motor-on-points",
                 scalar,
@@ -299,7 +264,7 @@ macro_rules! contests {
             let mut contestants = vec![Contestant::binary(
                 "ours",
                 points.clone(),
-                data.y.iter().map(at).collect(),
+                y.iter().map(ours::point).collect(),
                 |p, q| p & q,
                 |l: &Line<$float>| view(l.to_array()),
             )];

@@ -1,3 +1,6 @@
-//! What the measurements have in common: clocks, builds for different targets, tables.
+//! What the measurements have in common: data, clocks, builds for different targets.
 
+pub mod builds;
+pub mod data;
+pub mod ours;
 pub mod race;

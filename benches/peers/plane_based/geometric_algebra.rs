@@ -1,13 +1,13 @@
 //! The contestants of the crate `geometric_algebra`: the same algebra and the same signs, in f32.
 
+use ga_benches::data::{Data, Motion};
 use ga_benches::race::Contestant;
 use geometric_algebra::ppga3d::{Line, Motor, Plane, Point};
 use geometric_algebra::{
     Exp, GeometricProduct, Ln, OuterProduct, RegressiveProduct, Transformation,
 };
 
-use super::{CORNERS, Data};
-use crate::data::Motion;
+use super::CORNERS;
 use crate::others::single::number;
 
 const NAME: &str = "geometric_algebra";
@@ -32,15 +32,15 @@ fn motor(motion: &Motion) -> Motor {
 }
 
 fn motors(data: &Data) -> Vec<Motor> {
-    data.a.iter().map(motor).collect()
+    data.motions[0].iter().map(motor).collect()
 }
 
 fn points(data: &Data) -> Vec<Point> {
-    data.x.iter().map(point).collect()
+    data.vectors[0].iter().map(point).collect()
 }
 
 fn lines(data: &Data) -> Vec<Line> {
-    let ends = data.x.iter().zip(&data.y);
+    let ends = data.vectors[0].iter().zip(&data.vectors[1]);
     ends.map(|(x, y)| point(x).regressive_product(point(y)))
         .collect()
 }
@@ -58,7 +58,7 @@ pub fn motor_times_motor(data: &Data) -> Contestant {
     Contestant::binary(
         NAME,
         motors(data),
-        data.b.iter().map(motor).collect(),
+        data.motions[1].iter().map(motor).collect(),
         |a, b| a.geometric_product(b),
         |m| {
             let corner = |x| coordinates(&m.transformation(point(x)));
@@ -99,7 +99,7 @@ pub fn motor_on_plane(data: &Data) -> Contestant {
 }
 
 pub fn join_of_points(data: &Data) -> Contestant {
-    let others = data.y.iter().map(point).collect();
+    let others = data.vectors[1].iter().map(point).collect();
     Contestant::binary(
         NAME,
         points(data),
