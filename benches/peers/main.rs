@@ -24,7 +24,7 @@ use table::Table;
 fn main() -> ExitCode {
     let results = match std::env::args().any(|argument| argument == "--here") {
         true => vec![here()],
-        false => Build::ALL.into_iter().map(elsewhere).collect(),
+        false => Build::ALL.into_iter().map(table_of).collect(),
     };
     match results.into_iter().collect() {
         Ok(()) => ExitCode::SUCCESS,
@@ -48,13 +48,16 @@ fn here() -> Result<(), String> {
     }
 }
 
-/// Prints the table of another build.
-fn elsewhere(build: Build) -> Result<(), String> {
+/// Prints the table of one of the builds.
+fn table_of(build: Build) -> Result<(), String> {
     println!("{} {}", build.name(), build.flags());
-    if build.runs_here() {
-        println!("{}", build.run("peers", &["--here"])?);
+    if build.is_this() {
+        here()?;
+    } else if build.runs_here() {
+        print!("{}", build.run("peers", &["--here"])?);
     } else {
-        println!("this machine does not run it\n");
+        println!("this machine does not run it");
     }
+    println!();
     Ok(())
 }

@@ -47,13 +47,19 @@ impl Build {
         }
     }
 
+    /// Whether this program itself is that build, as far as features of the processor tell.
+    pub fn is_this(self) -> bool {
+        self == Build::Baseline && !cfg!(any(target_feature = "avx", target_feature = "sve"))
+    }
+
     /// Compiles a bench for this target and gives what it prints for these arguments. Each
     /// target has a directory of its own, so that nothing else is compiled again.
     ///
     /// # Errors
     /// What went wrong, in words: cargo does not run, the bench does not compile or fails.
     pub fn run(self, bench: &str, arguments: &[&str]) -> Result<String, String> {
-        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let root = package.parent().unwrap_or(package);
         eprintln!("building {bench} for {} …", self.name());
         let output = Command::new(env!("CARGO"))
             .args([
