@@ -3,8 +3,9 @@
 
 use std::hint::black_box;
 
-use ga_benches::data::{Data, Motion};
+use ga_benches::data::Data;
 use ga_benches::ours::{conformal, plane_based, unit};
+use ga_core::Real;
 use ga_core::ops::Element;
 use ga_lanes::{Batch, Number, One};
 
@@ -29,7 +30,7 @@ const SOME: usize = 4096;
 
 /// So many elements.
 fn batch<X: Element<Number: Number>>(count: usize, some: Vec<X>) -> Batch<X> {
-    some.iter().cycle().take(count).collect()
+    some.into_iter().cycle().take(count).collect()
 }
 
 /// The bytes of one of these.
@@ -69,7 +70,7 @@ macro_rules! work {
                 Box::new(move || {
                     let (motors, operands) = (black_box(&motors), black_box(&operands));
                     // Both have one length.
-                    let _ = work!(@call $how motors operands results);
+                    let _ = motors.apply_into(operands, &mut results);
                     black_box(&mut results);
                 })
             },
@@ -82,16 +83,36 @@ macro_rules! work {
         let motors: Vec<_> = $motors;
         One(motors[0])
     }};
-    (@call pairs $motors:ident $operands:ident $results:ident) => {
-        $motors.apply_into($operands, &mut $results)
-    };
-    (@call one $motors:ident $operands:ident $results:ident) => {
-        $motors.apply_into($operands, &mut $results)
-    };
 }
 
 /// All that is measured.
 pub fn all() -> Vec<Work> {
-    let points = |data: &Data| data.vectors[0].iter().map(plane_based::point).collect();
-    vec![]
+    vec![
+        work!("motor-on-point" pairs f32 plane_based Point points),
+        work!("motor-on-point" pairs f64 plane_based Point points),
+        work!("one-motor-on-points" one f32 plane_based Point points),
+        work!("one-motor-on-points" one f64 plane_based Point points),
+        work!("conformal-motor-on-point" pairs f32 conformal Point conformal_points),
+        work!("conformal-motor-on-point" pairs f64 conformal Point conformal_points),
+        work!("conformal-motor-on-circle" pairs f32 conformal Circle circles),
+        work!("conformal-motor-on-circle" pairs f64 conformal Circle circles),
+        work!("one-conformal-motor-on-circles" one f32 conformal Circle circles),
+        work!("one-conformal-motor-on-circles" one f64 conformal Circle circles),
+    ]
+}
+
+fn points<T: Real>(data: &Data) -> Vec<plane_based::Point<T>> {
+    data.vectors[0].iter().map(plane_based::point).collect()
+}
+
+fn conformal_points<T: Real>(data: &Data) -> Vec<conformal::Point<T>> {
+    data.vectors[0].iter().map(conformal::point).collect()
+}
+
+fn circles<T: Real>(data: &Data) -> Vec<conformal::Circle<T>> {
+    let [x, y, z, _] = &data.vectors;
+    let triples = x.iter().zip(y).zip(z);
+    triples
+        .map(|((x, y), z)| conformal::circle([x, y, z]))
+        .collect()
 }

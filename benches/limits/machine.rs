@@ -25,7 +25,9 @@ impl<F: Number> Kernel<F> for MultiplyAdds<F> {
                 *chain = factor.plus_product(*chain, factor);
             }
         }
-        let sum = chains.into_iter().fold(L::splat(F::ZERO), |sum, chain| sum + chain);
+        let sum = chains
+            .into_iter()
+            .fold(L::splat(F::ZERO), |sum, chain| sum + chain);
         let mut lanes = L::array(|_| F::ZERO);
         sum.store(&mut lanes);
         let first = lanes.as_ref().first().copied().unwrap_or(F::ZERO);
