@@ -1,13 +1,13 @@
-//! The batches that are measured: a list of motions, each on an element of another list, or one
-//! of them on all.
+//! The batches that are measured: a list of motors, each on an element of another list, or one of
+//! them on all.
 
 use std::hint::black_box;
 
 use ga_benches::data::Data;
-use ga_benches::ours::{conformal, plane_based, unit};
-use ga_core::Real;
+use ga_benches::ours::{conformal, plane_based};
 use ga_core::ops::Element;
-use ga_lanes::{Batch, Number, One};
+use ga_core::{Real, Unit};
+use ga_lanes::{Batch, Lanes, Number, One, ZipMap};
 
 use crate::slots::{Slot, slots};
 
@@ -33,8 +33,8 @@ fn batch<X: Element<Number: Number>>(count: usize, some: Vec<X>) -> Batch<X> {
     some.into_iter().cycle().take(count).collect()
 }
 
-/// The bytes of one of these.
-fn bytes<X: Element>(_: &[X]) -> usize {
+/// The bytes of an element.
+const fn bytes<X: Element>() -> usize {
     X::BLADES.len() * size_of::<X::Number>()
 }
 
@@ -43,59 +43,79 @@ fn counting<X: Element<Number = Slot>>() -> X {
     X::from_fn(|_| Slot(1.0))
 }
 
-/// The motors of some motions on some elements.
+/// Elements moved by unit motors.
+struct Moved;
+
+macro_rules! moved {
+    ($($algebra:ident::$Operand:ident)*) => {$(
+        impl<F: Number> ZipMap<$algebra::$Operand<F>, $algebra::Motor<F>> for Moved {
+            type Output = $algebra::$Operand<F>;
+
+            #[inline(always)]
+            fn call<L: Lanes<F>>(
+                &self,
+                x: $algebra::$Operand<L>,
+                motor: $algebra::Motor<L>,
+            ) -> $algebra::$Operand<L> {
+                Unit::promised(motor).apply(x)
+            }
+        }
+    )*};
+}
+
+moved! {
+    plane_based::Point
+    conformal::Point
+    conformal::Circle
+}
+
+/// Motors on elements: on every one its own, or one on all.
 macro_rules! work {
-    ($name:literal $how:ident $float:ident $algebra:ident $Operand:ident $operands:expr) => {
+    ($name:literal $how:ident $float:ident $algebra:ident $Operand:ident $operands:ident) => {
         Work {
             name: $name,
             scalar: stringify!($float),
             slots: slots(|| {
-                let motor = unit(counting::<$algebra::Motor<Slot>>());
+                let motor = Unit::promised(counting::<$algebra::Motor<Slot>>());
                 motor.apply(counting::<$algebra::$Operand<Slot>>())
             }),
-            bytes: {
-                let data = Data::new(1);
-                let motors: Vec<_> = data.motions[0].iter().map($algebra::motor::<$float>).collect();
-                let operands: Vec<$algebra::$Operand<$float>> = $operands(&data);
-                let results = [motors[0].apply(operands[0])];
-                work!(@read $how motors) + bytes(&operands) + bytes(&results)
-            },
+            bytes: 2 * bytes::<$algebra::$Operand<$float>>()
+                + work!(@bytes $how $algebra::Motor<$float>),
             prepare: |count| {
                 let data = Data::new(SOME);
-                let motors = data.motions[0].iter().map($algebra::motor::<$float>).collect();
-                let motors = work!(@left $how count motors);
-                let operands: Vec<$algebra::$Operand<$float>> = $operands(&data);
-                let operands = batch(count, operands);
+                let motors = data.motions[0].iter().map($algebra::motor::<$float>);
+                let motors = motors.map(Unit::into_inner);
+                let operands = batch(count, $operands::<$float>(&data));
+                let motors = work!(@motors $how count motors);
                 let mut results = Batch::new();
                 Box::new(move || {
-                    let (motors, operands) = (black_box(&motors), black_box(&operands));
-                    // Both have one length.
-                    let _ = motors.apply_into(operands, &mut results);
+                    let operands = black_box(&operands);
+                    // Both are of one length, so that nothing is refused.
+                    let _ = operands.zip_map_into(work!(@right $how motors), &Moved, &mut results);
                     black_box(&mut results);
                 })
             },
         }
     };
-    (@read pairs $motors:ident) => { bytes(&$motors) };
-    (@read one $motors:ident) => { 0 };
-    (@left pairs $count:ident $motors:ident) => { batch($count, $motors) };
-    (@left one $count:ident $motors:ident) => {{
-        let motors: Vec<_> = $motors;
-        One(motors[0])
-    }};
+    (@bytes each $Motor:ty) => { bytes::<$Motor>() };
+    (@bytes one $Motor:ty) => { 0 };
+    (@motors each $count:ident $motors:ident) => { batch($count, $motors.collect()) };
+    (@motors one $count:ident $motors:ident) => { One($motors.take(1).sum()) };
+    (@right each $motors:ident) => { black_box(&$motors) };
+    (@right one $motors:ident) => { black_box($motors) };
 }
 
 /// All that is measured.
 pub fn all() -> Vec<Work> {
     vec![
-        work!("motor-on-point" pairs f32 plane_based Point points),
-        work!("motor-on-point" pairs f64 plane_based Point points),
+        work!("motor-on-point" each f32 plane_based Point points),
+        work!("motor-on-point" each f64 plane_based Point points),
         work!("one-motor-on-points" one f32 plane_based Point points),
         work!("one-motor-on-points" one f64 plane_based Point points),
-        work!("conformal-motor-on-point" pairs f32 conformal Point conformal_points),
-        work!("conformal-motor-on-point" pairs f64 conformal Point conformal_points),
-        work!("conformal-motor-on-circle" pairs f32 conformal Circle circles),
-        work!("conformal-motor-on-circle" pairs f64 conformal Circle circles),
+        work!("conformal-motor-on-point" each f32 conformal Point conformal_points),
+        work!("conformal-motor-on-point" each f64 conformal Point conformal_points),
+        work!("conformal-motor-on-circle" each f32 conformal Circle circles),
+        work!("conformal-motor-on-circle" each f64 conformal Circle circles),
         work!("one-conformal-motor-on-circles" one f32 conformal Circle circles),
         work!("one-conformal-motor-on-circles" one f64 conformal Circle circles),
     ]

@@ -18,16 +18,19 @@ const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0
 macro_rules! one_on_many {
     ($float:ident, $data:ident, $points:ident) => {{
         let one = &$data.motions[0][0];
-        let (own, isometry, dual) = (motor(one), isometry(one), dual_quaternion(one));
+        let (own, isometry, dual) = (motor::<$float>(one), isometry(one), dual_quaternion(one));
         let (affine, matrix, ultra) = (affine(one), matrix(one), ultra_isometry(one));
         let homogeneous = isometry.to_homogeneous();
         let columns = $data.vectors[0].iter().map(point).collect::<Vec<_>>();
         let vecs = $data.vectors[0].iter().map(vec).collect::<Vec<_>>();
         vec![
-            Contestant::unary(
+            Contestant::slice(
                 "ours",
                 $points.clone(),
-                move |p| own.apply(p),
+                // The slices are of one length, so that nothing is refused.
+                move |from: &[ours::Point<$float>], to: &mut [ours::Point<$float>]| {
+                    let _ = own.apply_slice(from, to);
+                },
                 |p| view(p.to_array()),
             ),
             Contestant::unary(

@@ -3,8 +3,3 @@
 pub mod conformal;
 pub mod euclidean;
 pub mod plane_based;
-
-/// A versor known to be unit.
-pub fn unit<V>(versor: V) -> V {
-    versor
-}

@@ -137,15 +137,14 @@ impl Contestant {
     pub fn slice<B, C>(
         name: &'static str,
         b: Vec<B>,
-        blank: C,
         function: impl Fn(&[B], &mut [C]) + 'static,
         view: impl Fn(&C) -> Vec<f64>,
     ) -> Self
     where
         B: 'static,
-        C: Clone + 'static,
+        C: Clone + Default + 'static,
     {
-        let mut out = vec![blank; b.len()];
+        let mut out = vec![C::default(); b.len()];
         function(&b, &mut out);
         Contestant {
             name,

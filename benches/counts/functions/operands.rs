@@ -2,29 +2,29 @@
 
 use ga_benches::data::Data;
 use ga_benches::ours::conformal as cga;
-use ga_benches::ours::conformal::{Circle, DualPlane, DualSphere, Multivector, Versor};
+use ga_benches::ours::conformal::{Circle, DualPlane, DualSphere, Even, Multivector};
 use ga_benches::ours::euclidean::{Rotor, Vector, rotor, vector};
 use ga_benches::ours::plane_based as pga;
 use ga_benches::ours::plane_based::{Line, Motor, Plane, Point};
-use ga_core::Real;
+use ga_core::{Real, Unit};
 
 /// Lists of elements over one type of numbers.
 pub struct Operands<T> {
-    pub rotors: Vec<Rotor<T>>,
+    pub rotors: Vec<Unit<Rotor<T>>>,
     pub vectors: Vec<Vector<T>>,
-    pub motors: Vec<Motor<T>>,
+    pub motors: Vec<Unit<Motor<T>>>,
     pub points: [Vec<Point<T>>; 2],
     pub lines: Vec<Line<T>>,
     pub planes: Vec<Plane<T>>,
     pub plane_pairs: Vec<(Plane<T>, Plane<T>)>,
-    pub conformal_motors: Vec<cga::Motor<T>>,
+    pub conformal_motors: Vec<Unit<cga::Motor<T>>>,
     pub conformal_points: [Vec<cga::Point<T>>; 4],
     pub conformal_lines: Vec<cga::Line<T>>,
     pub conformal_planes: Vec<DualPlane<T>>,
     pub point_pairs: [Vec<(cga::Point<T>, cga::Point<T>)>; 2],
     pub circles: Vec<Circle<T>>,
     pub spheres: Vec<DualSphere<T>>,
-    pub versors: Vec<Versor<T>>,
+    pub versors: Vec<Unit<Even<T>>>,
     pub dense: Vec<Multivector<T>>,
 }
 
@@ -48,7 +48,7 @@ impl<T: Real> Operands<T> {
                 .collect()
         };
         let circles = x.iter().zip(y).zip(z);
-        let versors: Vec<Versor<T>> = data.motions[0].iter().zip(x).map(cga::versor).collect();
+        let versors: Vec<Unit<Even<T>>> = data.motions[0].iter().zip(x).map(cga::versor).collect();
         Operands {
             rotors: data.rotations[0].iter().map(rotor).collect(),
             vectors: x.iter().map(vector).collect(),
