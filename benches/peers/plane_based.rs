@@ -24,13 +24,10 @@ macro_rules! one_on_many {
         let columns = $data.vectors[0].iter().map(point).collect::<Vec<_>>();
         let vecs = $data.vectors[0].iter().map(vec).collect::<Vec<_>>();
         vec![
-            Contestant::slice(
+            Contestant::unary(
                 "ours",
                 $points.clone(),
-                // The slices are of one length, so that nothing is refused.
-                move |from: &[ours::Point<$float>], to: &mut [ours::Point<$float>]| {
-                    let _ = own.apply_slice(from, to);
-                },
+                move |p| own.apply(p),
                 |p| view(p.to_array()),
             ),
             Contestant::unary(
