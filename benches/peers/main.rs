@@ -8,12 +8,13 @@
 //!
 //! Not compared: `g3` needs a nightly compiler, `wedged` knows no metric but the Euclidean,
 //! `geonum` has numbers with angles instead of multivectors, `cga` and `pga` are names without
-//! code.
+//! code, and `clifford` takes a minute to compile for each build, as long as all the rest.
 
 mod conformal;
 mod euclidean;
 mod others;
 mod plane_based;
+mod remarks;
 mod table;
 
 use std::process::ExitCode;
@@ -56,7 +57,7 @@ fn table_of(build: Build) -> Result<(), String> {
     } else if build.runs_here() {
         print!("{}", build.run("peers", &["--here"])?);
     } else {
-        println!("this machine does not run it");
+        println!("not on this machine");
     }
     println!();
     Ok(())

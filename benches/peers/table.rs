@@ -4,6 +4,8 @@ use std::fmt;
 
 use ga_benches::race::{Contestant, agree, race};
 
+use crate::remarks::remark;
+
 /// What a row must reach.
 #[derive(Clone, Copy)]
 pub enum Goal {
@@ -98,32 +100,52 @@ impl Row {
         others.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// What was asked, and whether it is reached.
-    fn verdict(&self) -> String {
-        let reached = |reached| if reached { "reached" } else { "MISSED" };
-        let ratio = self.best().map_or(0.0, |(_, best)| self.ours() / best);
+    /// Ours over the best other; 0 where there is none.
+    fn ratio(&self) -> f64 {
+        self.best().map_or(0.0, |(_, best)| self.ours() / best)
+    }
+
+    /// How many times the yardstick ours takes.
+    fn multiple(&self) -> Option<f64> {
+        self.yardstick.map(|time| self.ours() / time)
+    }
+
+    /// How many times as fast as `geometric_algebra` ours is.
+    fn gain(&self) -> Option<f64> {
+        Some(self.time("geometric_algebra")? / self.ours())
+    }
+
+    /// Whether the goal is reached.
+    fn is_reached(&self) -> bool {
+        let fastest = self.ratio() <= NOISE;
         match self.goal {
-            Goal::Shown => match self.yardstick {
-                Some(time) => format!("{:.2} isometries on a point", self.ours() / time),
-                None => String::new(),
-            },
-            Goal::Fastest => format!("fastest: {}", reached(ratio <= NOISE)),
-            Goal::Times(times) => match self.time("geometric_algebra") {
-                Some(time) => {
-                    let gain = time / self.ours();
-                    let reached = reached(gain >= times && ratio <= NOISE);
-                    format!("{times} times geometric_algebra: {gain:.1}, {reached}")
-                }
-                None => format!("fastest: {}", reached(ratio <= NOISE)),
-            },
-            Goal::OfIsometry(times) => match self.yardstick {
-                Some(time) => {
-                    let share = self.ours() / time;
-                    let reached = reached(share <= times);
-                    format!("{times} isometries on a point: {share:.2}, {reached}")
-                }
-                None => String::new(),
-            },
+            Goal::Shown => true,
+            Goal::Fastest => fastest,
+            Goal::Times(times) => fastest && self.gain().is_none_or(|gain| gain >= times),
+            Goal::OfIsometry(times) => self.multiple().is_none_or(|multiple| multiple <= times),
+        }
+    }
+
+    /// What was asked, and what it is.
+    fn verdict(&self) -> String {
+        let verdict = if self.is_reached() {
+            "reached"
+        } else {
+            "MISSED"
+        };
+        let gain = self.gain().unwrap_or(f64::NAN);
+        let multiple = self.multiple().unwrap_or(f64::NAN);
+        match self.goal {
+            Goal::Shown if self.yardstick.is_none() => String::new(),
+            Goal::Shown => format!("{multiple:.2} isometries on a point"),
+            Goal::Fastest => format!("asked: fastest, {verdict}"),
+            Goal::Times(_) if gain.is_nan() => format!("asked: fastest, {verdict}"),
+            Goal::Times(times) => {
+                format!("asked: {times} times geometric_algebra, is {gain:.1}, {verdict}")
+            }
+            Goal::OfIsometry(times) => {
+                format!("asked: {times} isometries on a point, is {multiple:.2}, {verdict}")
+            }
         }
     }
 }
@@ -137,18 +159,24 @@ impl fmt::Display for Table {
         )?;
         for row in &self.rows {
             let ours = row.ours();
-            let (best_name, best) = row.best().unwrap_or(("-", f64::NAN));
-            write!(
-                f,
-                "{:<26} {:<6} {ours:>7.2}  {best_name:<22} {best:>7.2} {:>6.2}  ",
-                row.operation,
-                row.scalar,
-                ours / best
-            )?;
+            write!(f, "{:<26} {:<6} {ours:>7.2}  ", row.operation, row.scalar)?;
+            match row.best() {
+                Some((name, best)) => write!(f, "{name:<22} {best:>7.2} {:>6.2}  ", row.ratio())?,
+                None => write!(f, "{:<22} {:>7} {:>6}  ", "-", "-", "-")?,
+            }
             for (name, time) in row.times.iter().skip(1) {
                 write!(f, "{name} {time:.2}, ")?;
             }
             writeln!(f, "{}", row.verdict())?;
+        }
+        let missed = self.rows.iter().filter(|row| !row.is_reached());
+        let mut operations: Vec<_> = missed.map(|row| row.operation).collect();
+        operations.sort_unstable();
+        operations.dedup();
+        for operation in operations {
+            if let Some(remark) = remark(operation) {
+                writeln!(f, "{operation}: {remark}")?;
+            }
         }
         for disagreement in &self.disagreements {
             writeln!(f, "results differ: {disagreement}")?;

@@ -17,8 +17,8 @@ pub fn description() -> String {
     item("sources", sources());
     item(
         "builds",
-        "baseline without flags, x86-64-v3 with `RUSTFLAGS=\"-C target-cpu=x86-64-v3\"`, native \
-         with `RUSTFLAGS=\"-C target-cpu=native\"`; profile `bench` as cargo has it"
+        "baseline is cargo's profile `bench` without flags; the others have the `RUSTFLAGS` that \
+         stand beside their names"
             .to_owned(),
     );
     list

@@ -1,6 +1,5 @@
 //! Which builds are measured, and how a measurement builds and runs itself anew.
 
-use std::path::Path;
 use std::process::Command;
 
 /// What a build is compiled for.
@@ -12,11 +11,13 @@ pub enum Build {
     V3,
     /// The processor that it is compiled on.
     Native,
+    /// That without its 512-bit vectors, where it has them.
+    NativeAvx2,
 }
 
 impl Build {
-    /// All builds, slowest first.
-    pub const ALL: [Build; 3] = [Build::Baseline, Build::V3, Build::Native];
+    /// All builds.
+    pub const ALL: [Build; 4] = [Build::Baseline, Build::V3, Build::Native, Build::NativeAvx2];
 
     /// The name in tables.
     pub fn name(self) -> &'static str {
@@ -24,6 +25,7 @@ impl Build {
             Build::Baseline => "baseline",
             Build::V3 => "x86-64-v3",
             Build::Native => "native",
+            Build::NativeAvx2 => "native without AVX-512",
         }
     }
 
@@ -33,17 +35,20 @@ impl Build {
             Build::Baseline => "",
             Build::V3 => "-C target-cpu=x86-64-v3",
             Build::Native => "-C target-cpu=native",
+            Build::NativeAvx2 => "-C target-cpu=native -C target-feature=-avx512f",
         }
     }
 
-    /// Whether this machine runs it.
+    /// Whether this machine has and runs it.
     pub fn runs_here(self) -> bool {
         match self {
             Build::Baseline | Build::Native => true,
             #[cfg(target_arch = "x86_64")]
             Build::V3 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
+            #[cfg(target_arch = "x86_64")]
+            Build::NativeAvx2 => is_x86_feature_detected!("avx512f"),
             #[cfg(not(target_arch = "x86_64"))]
-            Build::V3 => false,
+            Build::V3 | Build::NativeAvx2 => false,
         }
     }
 
@@ -52,31 +57,21 @@ impl Build {
         self == Build::Baseline && !cfg!(any(target_feature = "avx", target_feature = "sve"))
     }
 
-    /// Compiles a bench for this target and gives what it prints for these arguments. Each
-    /// target has a directory of its own, so that nothing else is compiled again.
+    /// Compiles a bench for this target and gives what it prints for these arguments. Cargo keeps
+    /// what it compiles for different flags apart, and with `--target` compiles macros and build
+    /// scripts but once for all of them.
     ///
     /// # Errors
     /// What went wrong, in words: cargo does not run, the bench does not compile or fails.
     pub fn run(self, bench: &str, arguments: &[&str]) -> Result<String, String> {
-        let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let root = package.parent().unwrap_or(package);
         eprintln!("building {bench} for {} …", self.name());
         let output = Command::new(env!("CARGO"))
-            .args([
-                "bench",
-                "--quiet",
-                "--package",
-                "ga-benches",
-                "--bench",
-                bench,
-            ])
-            .arg("--target-dir")
-            .arg(root.join("target/benches").join(self.name()))
-            .arg("--")
+            .args(["bench", "--quiet", "--package", "ga-benches", "--bench"])
+            .args([bench, "--target", "host-tuple", "--"])
             .args(arguments)
             .env("RUSTFLAGS", self.flags())
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
-            .current_dir(root)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
             .output()
             .map_err(|error| format!("cargo does not run: {error}"))?;
         match output.status.success() {
