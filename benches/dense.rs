@@ -7,13 +7,13 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use ga::core::Scalar;
-use ga::core::ops::{Element, Geometric, TermByTerm};
+use ga_core::Scalar;
+use ga_core::ops::{Element, TermByTerm};
 
 /// Algebras without other types and products, which take long to compile.
 macro_rules! algebras {
     ($($module:ident $signature:ident { $($basis:ident)* } { $($metric:tt)* })*) => {$(
-        ga::define_algebra! {
+        ga_macros::define_algebra! {
             mod $module: $signature {
                 basis { $($basis),* }
                 metric { $($metric)* }

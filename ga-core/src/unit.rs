@@ -3,8 +3,10 @@
 use core::fmt;
 use core::ops::{Deref, Mul, Neg};
 
-use crate::ops::{Apply, ApplyUnit, Geometric, Involute, Outermorphism, Reverse, Versor};
-use crate::{LengthMismatch, LinearMap, Real, linear_map};
+use crate::ops::{
+    Apply, ApplyUnit, Element, Geometric, Involute, Logarithm, Outermorphism, Reverse, Versor,
+};
+use crate::{Blade, LengthMismatch, LinearMap, Real, Scalar, linear_map};
 
 /// A versor `V` with `V Ṽ = 1`, by normalisation or by promise.
 ///
@@ -45,7 +47,7 @@ impl<M> Unit<M> {
     /// A type with fixed coefficients that do not make it unit has no multiples of its own; theirs
     /// are of the type that its sums have. That the element is a versor, so that `V Ṽ` has no
     /// other part than the scalar, is taken for granted.
-    #[inline]
+    #[inline(always)]
     pub fn new<V>(versor: V) -> Option<Unit<M>>
     where
         V: Versor<Multiple = M, Number: Real>,
@@ -70,7 +72,7 @@ impl<V> Unit<V> {
     }
 
     /// The same versor as a wider type, a rotor as a motor.
-    #[inline]
+    #[inline(always)]
     pub fn widened<W: From<V>>(self) -> Unit<W> {
         Unit(W::from(self.0))
     }
@@ -88,7 +90,7 @@ impl<V> Unit<V> {
     }
 
     /// The matrix of this versor on elements of type `X`; an application for each coefficient.
-    #[inline]
+    #[inline(always)]
     pub fn linear_map<X>(self) -> LinearMap<V, X>
     where
         V: Outermorphism<X>,
@@ -101,7 +103,7 @@ impl<V> Unit<V> {
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are of different lengths; nothing is written then.
-    #[inline]
+    #[inline(always)]
     pub fn apply_slice<X: Copy>(
         self,
         elements: &[X],
@@ -115,7 +117,7 @@ impl<V> Unit<V> {
 
     /// Replaces every element of a slice by its image, where that is of the same type; by the
     /// matrix where that takes fewer multiplications.
-    #[inline]
+    #[inline(always)]
     pub fn apply_slice_in_place<X: Copy>(self, elements: &mut [X])
     where
         V: Outermorphism<X, Image = X>,
@@ -124,7 +126,7 @@ impl<V> Unit<V> {
     }
 
     /// The reverse, which is the inverse.
-    #[inline]
+    #[inline(always)]
     pub fn reverse(self) -> Unit<V::Output>
     where
         V: Reverse,
@@ -133,7 +135,7 @@ impl<V> Unit<V> {
     }
 
     /// The inverse, which is the reverse: it always exists and takes no division.
-    #[inline]
+    #[inline(always)]
     pub fn inverse(self) -> Unit<V::Output>
     where
         V: Reverse,
@@ -141,8 +143,18 @@ impl<V> Unit<V> {
         self.reverse()
     }
 
+    /// The principal logarithm, without asking for the norm; `None` where there is no real one or
+    /// it is not unique.
+    #[inline(always)]
+    pub fn log(self) -> Option<V::Output>
+    where
+        V: Logarithm,
+    {
+        self.0.log_of_unit()
+    }
+
     /// The geometric product, a unit versor again: first `b`, then this one.
-    #[inline]
+    #[inline(always)]
     pub fn geometric<B>(self, b: Unit<B>) -> Unit<V::Output>
     where
         V: Geometric<B>,
@@ -157,6 +169,26 @@ impl<V> Deref for Unit<V> {
     #[inline(always)]
     fn deref(&self) -> &V {
         &self.0
+    }
+}
+
+/// The coefficients of the versor; whoever makes one of coefficients promises that it is unit, as
+/// with [`promised`](Unit::promised).
+impl<V: Element> Element for Unit<V> {
+    type Number = V::Number;
+    type Over<U: Scalar> = Unit<V::Over<U>>;
+    const BLADES: &'static [(Blade, i8)] = V::BLADES;
+    const FIXED: &'static [(Blade, i8, i64, i64)] = V::FIXED;
+    const LABELS: &'static [&'static str] = V::LABELS;
+
+    #[inline(always)]
+    fn at(&self, position: usize) -> V::Number {
+        self.0.at(position)
+    }
+
+    #[inline(always)]
+    fn from_fn(coefficient: impl FnMut(usize) -> V::Number) -> Self {
+        Unit(V::from_fn(coefficient))
     }
 }
 
@@ -175,10 +207,19 @@ impl<V: ApplyUnit<X>, X> Apply<X> for Unit<V> {
     }
 }
 
+impl<V: Logarithm> Logarithm for Unit<V> {
+    type Output = V::Output;
+
+    #[inline(always)]
+    fn log(self) -> Option<V::Output> {
+        self.0.log_of_unit()
+    }
+}
+
 impl<V: Reverse> Reverse for Unit<V> {
     type Output = Unit<V::Output>;
 
-    #[inline]
+    #[inline(always)]
     fn reverse(self) -> Unit<V::Output> {
         Unit(self.0.reverse())
     }
@@ -187,7 +228,7 @@ impl<V: Reverse> Reverse for Unit<V> {
 impl<V: Involute> Involute for Unit<V> {
     type Output = Unit<V::Output>;
 
-    #[inline]
+    #[inline(always)]
     fn involute(self) -> Unit<V::Output> {
         Unit(self.0.involute())
     }
@@ -196,7 +237,7 @@ impl<V: Involute> Involute for Unit<V> {
 impl<A: Geometric<B>, B> Geometric<Unit<B>> for Unit<A> {
     type Output = Unit<A::Output>;
 
-    #[inline]
+    #[inline(always)]
     fn geometric(self, b: Unit<B>) -> Unit<A::Output> {
         Unit(self.0.geometric(b.0))
     }
@@ -205,7 +246,7 @@ impl<A: Geometric<B>, B> Geometric<Unit<B>> for Unit<A> {
 impl<A: Geometric<B>, B> Mul<Unit<B>> for Unit<A> {
     type Output = Unit<A::Output>;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, b: Unit<B>) -> Unit<A::Output> {
         self.geometric(b)
     }
@@ -215,7 +256,7 @@ impl<V: Neg> Neg for Unit<V> {
     type Output = Unit<V::Output>;
 
     /// The negative, which applies as the versor itself does.
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Unit<V::Output> {
         Unit(-self.0)
     }

@@ -61,7 +61,7 @@ impl Kind {
         let length = numbers.len();
         for form in &self.null {
             let once = |(first, second, _): &&(usize, usize, Rational)| {
-                let mut terms = form.iter();
+                let terms = form.iter();
                 first != second && terms.filter(|t| t.0 == *first || t.1 == *first).count() == 1
             };
             let (own, other, factor) = *form.iter().find(once).expect("a linear coefficient");

@@ -24,12 +24,9 @@ use network::Network;
 
 /// A function body: temporaries first, then one polynomial per field of the result.
 ///
-/// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`; the reciprocal of the
-/// divisor is the variable of operand [`RECIPROCAL`].
+/// Temporary `n` is the variable of operand [`TEMPORARY`] at slot `n`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// A polynomial whose reciprocal is computed first.
-    pub divisor: Option<Poly>,
     /// Intermediate values in the order computed.
     pub temporaries: Vec<Poly>,
     /// The fields of the result.
@@ -41,17 +38,13 @@ pub struct Kernel {
 /// The operand number of temporaries.
 pub const TEMPORARY: u8 = 2;
 
-/// The operand number of the reciprocal of the divisor.
-pub const RECIPROCAL: u8 = 3;
-
 /// The operand number of the multiple of a versor whose reverse is the inverse.
-pub const MULTIPLE: u8 = 4;
+pub const MULTIPLE: u8 = 3;
 
 impl Kernel {
     /// A kernel without temporaries.
     pub fn expanded(outputs: Vec<Poly>) -> Kernel {
         Kernel {
-            divisor: None,
             temporaries: Vec::new(),
             outputs,
             form: "expanded".into(),
@@ -60,10 +53,7 @@ impl Kernel {
 
     /// Every polynomial that is evaluated.
     pub fn polynomials(&self) -> impl Iterator<Item = &Poly> {
-        self.divisor
-            .iter()
-            .chain(&self.temporaries)
-            .chain(&self.outputs)
+        self.temporaries.iter().chain(&self.outputs)
     }
 
     /// What the kernel costs as it is emitted.
@@ -87,8 +77,7 @@ impl Kernel {
         cheaper.unwrap_or(self)
     }
 
-    /// The kernel without the temporaries that no output needs, the others numbered anew, and
-    /// without a divisor whose reciprocal is not used.
+    /// The kernel without the temporaries that no output needs, the others numbered anew.
     pub fn without_unused(self) -> Kernel {
         let mut used = vec![false; self.temporaries.len()];
         let mark = |used: &mut Vec<bool>, poly: &Poly| {
@@ -118,23 +107,14 @@ impl Kernel {
             }
         };
         let outputs = self.outputs.iter().map(|poly| poly.renamed(renumbered));
-        let mut kernel = Kernel {
+        Kernel {
             outputs: outputs.collect(),
             temporaries: kept
                 .iter()
                 .map(|n| self.temporaries[*n].renamed(renumbered))
                 .collect(),
             ..self
-        };
-        let divides = |poly: &Poly| {
-            let mut variables = poly.terms().flat_map(|(monomial, _)| monomial.variables());
-            variables.any(|v| v.operand == RECIPROCAL)
-        };
-        let mut bodies = kernel.temporaries.iter().chain(&kernel.outputs);
-        if !bodies.any(divides) {
-            kernel.divisor = None;
         }
-        kernel
     }
 
     /// How many monomials the kernel writes.

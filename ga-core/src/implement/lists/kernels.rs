@@ -42,6 +42,10 @@ macro_rules! kernel {
             $(.minus_product($minus $(.$minus_field)?, $minus_by $(.$minus_by_field)?))*;)*
         $crate::sum!($($sum)*)
     };
+    // A choice between ways of computing, none of them a sum.
+    (match $($choice:tt)*) => {
+        match $($choice)*
+    };
 }
 
 /// A sum of products as a chain of [`plus_product`](crate::Scalar::plus_product) and

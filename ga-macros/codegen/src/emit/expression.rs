@@ -5,7 +5,7 @@ use std::fmt::Write;
 use ga_core::Rational;
 use num_traits::{One, Signed, ToPrimitive};
 
-use crate::factor::{Cost, Kernel, MULTIPLE, RECIPROCAL};
+use crate::factor::{Cost, Kernel, MULTIPLE};
 use crate::model::Type;
 use crate::poly::{Monomial, Poly, Variable};
 
@@ -62,7 +62,6 @@ impl Names<'_> {
             (1, Some(field)) => format!("{}.{field}", self.argument),
             (MULTIPLE, Some(field)) if self.unpacked[2] => format!("w_{field}"),
             (MULTIPLE, Some(field)) => format!("w.{field}"),
-            (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
     }
@@ -72,7 +71,6 @@ impl Names<'_> {
             (0, Some(field)) => format!("a.{field}"),
             (1, Some(field)) => format!("{}.{field}", self.argument),
             (MULTIPLE, Some(field)) => format!("w.{field}"),
-            (RECIPROCAL, _) => "f".to_owned(),
             _ => format!("t{}", variable.slot),
         }
     }
@@ -257,18 +255,7 @@ pub fn documentation_at(
     result: Option<&Type>,
     names: &Names<'_>,
 ) -> String {
-    let mut text = format!(
-        " {summary} Cost: {}{}.\n\n ```text\n",
-        counts(cost),
-        if kernel.divisor.is_some() {
-            ", 1 division"
-        } else {
-            ""
-        },
-    );
-    if let Some(divisor) = &kernel.divisor {
-        let _ = writeln!(text, " f = 1 / ({})", formula(divisor, names));
-    }
+    let mut text = format!(" {summary} Cost: {}.\n\n ```text\n", counts(cost));
     for (i, poly) in kernel.temporaries.iter().enumerate() {
         let _ = writeln!(text, " t{i} = {}", formula(poly, names));
     }
@@ -347,7 +334,7 @@ pub fn linear_body(kernel: &Kernel, result: &Type, names: &Names<'_>) -> String 
     format!("{} {{ {} }}", result.name, fields.join(", "))
 }
 
-/// Names the constants, and the reciprocal of the divisor.
+/// Names the constants.
 fn constants(kernel: &Kernel, names: &mut Names<'_>) -> String {
     for (monomial, value) in kernel.polynomials().flat_map(Poly::terms) {
         let factor = value.abs();
@@ -360,10 +347,6 @@ fn constants(kernel: &Kernel, names: &mut Names<'_>) -> String {
         let left: Vec<String> = names.constants.iter().map(constant_name).collect();
         let right: Vec<String> = names.constants.iter().map(number).collect();
         let _ = writeln!(text, "let [{}] = [{}];", left.join(", "), right.join(", "));
-    }
-    if let Some(divisor) = &kernel.divisor {
-        let divisor = value(divisor, names);
-        let _ = writeln!(text, "let [f] = [T::ONE / algebra::sum!({divisor})];");
     }
     text
 }

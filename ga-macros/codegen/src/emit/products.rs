@@ -184,7 +184,8 @@ fn emit_unrolled(
     let mut documentation = documentation;
     if let Some(matrices) = matrices(generator, product, [a, b], result) {
         let types = [left.as_str(), &right, &output];
-        emit_direct(generator, types, unrolled::bound(&kernel), &body);
+        let direct = format!("algebra::kernel! {{ {body} }}");
+        emit_direct(generator, types, unrolled::bound(&kernel), &direct);
         documentation = matrices.documentation(product);
         body = matrices.body;
         entry.form = matrices.form;

@@ -35,7 +35,7 @@ pub struct Function<'a> {
 
 /// The bound that a kernel asks of its numbers.
 pub fn bound(kernel: &Kernel) -> &'static str {
-    match expression::is_integral(kernel) && kernel.divisor.is_none() {
+    match expression::is_integral(kernel) {
         true => "Number",
         false => "Field",
     }

@@ -14,7 +14,7 @@ use crate::poly::{Monomial, Poly, Variable};
 /// What a number stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
-    /// A coefficient of an operand, or the reciprocal of the divisor.
+    /// A coefficient of an operand.
     Variable(Variable),
     /// A positive constant other than 1.
     Constant(Rational),
@@ -36,8 +36,7 @@ pub struct Network {
 }
 
 impl Network {
-    /// The temporaries and outputs of a kernel; the divisor, computed before all of them, is
-    /// left as it is.
+    /// The temporaries and outputs of a kernel.
     ///
     /// `None` where there are more values than numbers.
     pub fn new(kernel: &Kernel) -> Option<Network> {
@@ -152,7 +151,6 @@ impl Network {
         }
         let poly = |place: usize| self.poly(&self.sums[place], &slots);
         Some(Kernel {
-            divisor: like.divisor.clone(),
             temporaries: order
                 .iter()
                 .map(|place| poly(*place))

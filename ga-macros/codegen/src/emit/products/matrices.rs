@@ -107,7 +107,7 @@ pub fn emit_direct(
         generator.source,
         "impl<T: {bound}> algebra::ops::TermByTerm<{right}<T>> for {left}<T> {{ \
          type Output = {result}<T>; \
-         #[inline] fn term_by_term(self, b: {right}<T>) -> {result}<T> {{ {body} }} }}",
+         algebra::inlined! {{ fn term_by_term(self, b: {right}<T>) -> {result}<T> {{ {body} }} }} }}",
     );
 }
 

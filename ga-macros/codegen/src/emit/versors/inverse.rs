@@ -231,14 +231,12 @@ fn conjugate_inverse(
     );
     let names = Names::new(generator.kind(a), None);
     let kernel = Kernel {
-        divisor: None,
         temporaries: temporaries.clone(),
         outputs: generator.onto_fields(result, &named),
         form: "conjugate".into(),
     }
     .factored();
     let determinant_kernel = Kernel {
-        divisor: None,
         temporaries,
         outputs: vec![named_determinant],
         form: "conjugate".into(),

@@ -180,7 +180,6 @@ pub fn application(
         let (named, temporaries) = named(&first);
         let second = onto(generator, whole_type, &named, &back, &whole);
         let steps = Kernel {
-            divisor: None,
             temporaries,
             outputs: generator.onto_fields(whole_type, &second),
             form: "(V x) Ṽ".into(),

@@ -22,7 +22,6 @@ pub fn moving(
     let step = onto(generator, result, &named, inverse, whole);
     let image = sum(operand, &step, 1);
     Kernel {
-        divisor: None,
         temporaries,
         outputs: generator.onto_fields(result, &image),
         form: "x + (V x − x V) V⁻¹".into(),

@@ -181,7 +181,6 @@ pub fn squared(
         .into_iter()
         .map(|(mask, poly)| (mask, poly.scaled(&factor)));
     let kernel = Kernel {
-        divisor: None,
         temporaries,
         outputs: generator.onto_fields(result, &scaled.collect()),
         form: "s m s̃ with x = s₀ m s̃₀ and s = V s₀".into(),
