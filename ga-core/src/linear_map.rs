@@ -1,9 +1,10 @@
 //! One versor on many elements: its matrix on a type, without the entries that are always zero.
 
-use core::fmt;
+use core::{array, fmt};
 
-use crate::Field;
-use crate::ops::{ApplyUnit, Outermorphism};
+use crate::convert::{basis, pick};
+use crate::ops::{ApplyUnit, Element, Outermorphism};
+use crate::{Field, Scalar};
 
 /// What a versor does to elements of one type, as a matrix: the outermorphism `x ↦ V x̂ V⁻¹`.
 ///
@@ -154,6 +155,42 @@ where
     for x in elements {
         *x = versor.apply_with(w, *x);
     }
+}
+
+/// The columns of a matrix, given the multiple whose reverse is the inverse: the image of the fixed
+/// coefficients, and that of every field's blade.
+#[doc(hidden)]
+#[inline]
+pub fn columns<V, X, L, Y, const FIELDS: usize>(versor: V, w: V::Multiple) -> (Y, [Y; FIELDS])
+where
+    V: ApplyUnit<L, Image: Element<Number = Y::Number>>,
+    X: Element<Number = Y::Number>,
+    L: Element<Number = Y::Number> + From<X>,
+    Y: Element<Number: Field>,
+{
+    let column = |x: L| pick(versor.apply_with(w, x));
+    let fixed = column(L::from(X::from_fn(|_| Y::Number::ZERO)));
+    (fixed, array::from_fn(|place| column(basis::<X, L>(place))))
+}
+
+/// An entry times a coefficient for each of them.
+#[doc(hidden)]
+#[inline(always)]
+pub fn linear<T: Scalar>(entries: &[T], x: &[T]) -> T {
+    let mut products = entries.iter().zip(x);
+    let first = products.next().map_or(T::ZERO, |(entry, x)| *entry * *x);
+    products.fold(first, |sum, (entry, x)| sum.plus_product(*entry, *x))
+}
+
+/// The first entry, and another times a coefficient for each of these.
+#[doc(hidden)]
+#[inline(always)]
+pub fn affine<T: Scalar>(entries: &[T], x: &[T]) -> T {
+    let Some((first, entries)) = entries.split_first() else {
+        return T::ZERO;
+    };
+    let products = entries.iter().zip(x);
+    products.fold(*first, |sum, (entry, x)| sum.plus_product(*entry, *x))
 }
 
 /// The matrix of any versor: of `V/⟨V Ṽ⟩` as the inverse.

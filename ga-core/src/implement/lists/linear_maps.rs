@@ -15,14 +15,9 @@ macro_rules! linear_maps {
             const WORTHWHILE: ::core::option::Option<usize> = $crate::linear_maps!(@least $least);
             $crate::inlined! {
                 fn rows_with(self, w: <Self as $crate::ops::Versor>::Multiple) -> Self::Rows {
-                    let column = |x: $Linear<T>| -> $Output<T> {
-                        $crate::convert::pick($crate::ops::ApplyUnit::apply_with(self, w, x))
-                    };
-                    let fixed = <$Operand<T> as $crate::ops::Element>::from_fn(|_| T::ZERO);
-                    let fixed = column($Linear::from(fixed));
-                    let columns: [$Output<T>; $fields] = ::core::array::from_fn(|position| {
-                        column($crate::convert::basis::<$Operand<T>, $Linear<T>>(position))
-                    });
+                    let (fixed, columns) = $crate::linear_map::columns::<
+                        _, $Operand<T>, $Linear<T>, $Output<T>, $fields,
+                    >(self, w);
                     ($($crate::linear_maps!(@entries $row $sign fixed columns $($column)*),)*)
                 }
             }
@@ -59,23 +54,12 @@ macro_rules! linear_maps {
     (@entries $row:ident - $fixed:ident $columns:ident $($column:tt)*) => {
         [$($columns[$column].$row),*]
     };
-    (@sum $row:ident + $x:ident $($column:tt)*) => {{
-        let mut entries = $row.iter();
-        let mut next = || entries.next().map_or(T::ZERO, |entry| *entry);
-        let sum = next();
-        $(let sum = sum.plus_product(next(), $x[$column]);)*
-        sum
-    }};
-    (@sum $row:ident - $x:ident) => {
-        T::ZERO
+    (@sum $row:ident + $x:ident $($column:tt)*) => {
+        $crate::linear_map::affine($row, &[$($x[$column]),*])
     };
-    (@sum $row:ident - $x:ident $first:tt $($column:tt)*) => {{
-        let mut entries = $row.iter();
-        let mut next = || entries.next().map_or(T::ZERO, |entry| *entry);
-        let sum = next() * $x[$first];
-        $(let sum = sum.plus_product(next(), $x[$column]);)*
-        sum
-    }};
+    (@sum $row:ident - $x:ident $($column:tt)*) => {
+        $crate::linear_map::linear($row, &[$($x[$column]),*])
+    };
 }
 
 /// Matrices of versors and of operands that are the duals of others with a matrix, in the forms of
