@@ -1,6 +1,7 @@
 //! Straight-line kernels, and how a cheaper one is found: constants are moved out of temporaries
 //! (`prepare`), shared values are named as long as that saves anything (`divisors`, `extract`) by
-//! the model of `cost`, and names that turn out to be of no use are taken back (`tidy`).
+//! the model of `cost`, names that turn out to be of no use are taken back (`tidy`), and the rest
+//! have the sign that spares negations (`signs`).
 
 mod cost;
 mod cube;
@@ -8,6 +9,7 @@ mod divisors;
 mod extract;
 mod network;
 mod prepare;
+mod signs;
 #[cfg(test)]
 mod tests;
 mod tidy;
@@ -139,7 +141,7 @@ fn factored(kernel: &Kernel) -> Option<Kernel> {
         "expanded" => "factored".into(),
         form => format!("{form}, factored").into(),
     };
-    Some(result)
+    Some(signs::opened(result))
 }
 
 /// Whether a kernel has anything to share: most products have not, since each of their terms has
