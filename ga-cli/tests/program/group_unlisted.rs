@@ -9,7 +9,7 @@ fn settings_of_no_table_are_told_with_number_and_change_of_basis() {
     for (hall, number, standard) in [
         ("-P 2ybc (1 2 5)", 14, "P 1 21/c 1"),
         ("-C 4 2", 123, "P 4/m m m"),
-        ("-F 4 2", 139, "I 4/m m m"),
+        ("-F 4 2 (1 2 5)", 139, "I 4/m m m"),
         ("P 2ac 2ab (1 0 0)", 19, "P 21 21 21"),
         ("-F 4vw 2vw 3 (1 2 5)", 227, "F d -3 m"),
     ] {

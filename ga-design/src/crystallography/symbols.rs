@@ -158,10 +158,6 @@ impl SpaceGroup {
     /// assert_eq!(carried.map(|all| all.len()), Some(4));
     /// # Ok::<(), ga_design::crystallography::UnknownSymbol>(())
     /// ```
-    #[expect(
-        clippy::wrong_self_convention,
-        reason = "the name of the change in the literature, which the noun `standard` also begins"
-    )]
     pub fn from_standard(&self) -> Option<ChangeOfBasis> {
         self.from_standard.parse().ok()
     }

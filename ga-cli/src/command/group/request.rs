@@ -186,7 +186,7 @@ fn larger_cell(text: &str) -> &'static str {
         // With a 3 it is meant to be cubic.
         Some('F') if is_fourfold && !plain.contains('3') => {
             "; F is a larger cell of a tetragonal group: give its symbol with I, in the cell whose axes are \
-             along the diagonals of this one, or its Hall symbol, such as `-F 4 2` for `F 4/m m m`"
+             along the diagonals of this one, or its Hall symbol"
         }
         _ => "",
     }

@@ -11,7 +11,7 @@ use ga_core::{Involution, Product, Rational};
 
 pub use self::looped::loop_from;
 use self::looped::{emit_loop, emit_table};
-use self::matrices::{applies, emit_direct, matrices};
+use self::matrices::{applies, emit_direct, is_iterated, matrices};
 use self::widened::widened;
 pub use self::widened::{Widened, widened_cost};
 use super::Generator;
@@ -182,10 +182,13 @@ fn emit_unrolled(
     entry.cost = Some(kernel.cost());
     let mut body = expression::body(&kernel, result_kind, &names);
     let mut documentation = documentation;
-    if let Some(matrices) = matrices(generator, product, [a, b], result) {
+    let matrices = matrices(generator, product, [a, b], result);
+    if matrices.is_some() || is_iterated(generator, product, [a, b]) {
         let types = [left.as_str(), &right, &output];
         let direct = format!("algebra::kernel! {{ {body} }}");
         emit_direct(generator, types, unrolled::bound(&kernel), &direct);
+    }
+    if let Some(matrices) = matrices {
         documentation = matrices.documentation(product);
         body = matrices.body;
         entry.form = matrices.form;

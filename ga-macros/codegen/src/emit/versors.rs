@@ -8,6 +8,8 @@ use std::fmt::Write;
 
 use ga_core::{Involution, Product};
 
+pub use inverse::parity_type;
+
 use super::Generator;
 use super::expression::{self, Names};
 use super::products::{loop_from, widened_cost};

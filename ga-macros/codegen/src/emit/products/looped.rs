@@ -5,7 +5,7 @@ use std::fmt::Write;
 use ga_core::{Metric, Product, Rational};
 use num_traits::ToPrimitive;
 
-use super::matrices::{emit_direct, matrices};
+use super::matrices::{emit_direct, is_iterated, matrices};
 use super::{Emitted, result_type};
 use crate::emit::Generator;
 use crate::emit::expression;
@@ -96,8 +96,11 @@ pub fn emit_loop(generator: &mut Generator<'_>, product: Product, a: usize, b: u
         form: "loop".to_owned(),
     };
     let (mut documentation, mut value) = (documentation, value);
-    if let Some(matrices) = matrices(generator, product, [a, b], result) {
+    let matrices = matrices(generator, product, [a, b], result);
+    if matrices.is_some() || is_iterated(generator, product, [a, b]) {
         emit_direct(generator, [left.as_str(), &right, &name], bound, &value);
+    }
+    if let Some(matrices) = matrices {
         documentation = matrices.documentation(product);
         value = matrices.body;
         entry.form = matrices.form;

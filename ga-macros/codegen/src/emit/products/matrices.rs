@@ -6,6 +6,7 @@ use ga_core::Product;
 use proc_macro2::Literal;
 
 use crate::emit::Generator;
+use crate::emit::versors::parity_type;
 use crate::factor::Cost;
 use crate::isomorphism::{self, Parity, Signed, Tables};
 use crate::model::Type;
@@ -88,7 +89,7 @@ pub fn applies(generator: &Generator<'_>, product: Product, types: [usize; 2]) -
 
 fn tables(generator: &Generator<'_>, product: Product, types: [usize; 2]) -> Option<Tables> {
     let dimension = generator.model.dimension();
-    if product != Product::Geometric || dimension < 5 {
+    if product != Product::Geometric || dimension < 5 || is_iterated(generator, product, types) {
         return None;
     }
     let [left, right] = types.map(|index| dense(generator.kind(index), dimension));
@@ -109,6 +110,13 @@ pub fn emit_direct(
          type Output = {result}<T>; \
          algebra::inlined! {{ fn term_by_term(self, b: {right}<T>) -> {result}<T> {{ {body} }} }} }}",
     );
+}
+
+/// Whether roots and logarithms are iterated with a product: that of all even elements beyond five
+/// dimensions. They need it term by term, because what is large beside the rest must cancel exactly.
+pub fn is_iterated(generator: &Generator<'_>, product: Product, [a, b]: [usize; 2]) -> bool {
+    let even = generator.kind(a).parity() == Some(true) && parity_type(generator, a) == Some(a);
+    product == Product::Geometric && a == b && even && generator.model.dimension() > 5
 }
 
 /// The parity of a type that has all blades of its parity.

@@ -3,6 +3,9 @@
 
 use std::collections::HashMap;
 
+use ga_core::Product;
+use num_traits::{One, Signed};
+
 use super::costs::Costs;
 use super::derivation::SMALL_ALGEBRA;
 use crate::emit::Generator;
@@ -78,7 +81,7 @@ impl Duality {
     }
 
     /// The sign of `⟨I Ĩ⟩`, by which the dual of a unit versor is no unit versor where it is −1.
-    /// Only where duals are pairs of types is it asked for, and `I² = ±1` then.
+    /// Only where versors are handed on is it asked for, and `I² = ±1` then.
     pub fn sign(generator: &Generator<'_>) -> char {
         let model = generator.model;
         let (_, negative, _) = model.metric.signature();
@@ -89,6 +92,10 @@ impl Duality {
     pub fn hand_on(&self, generator: &Generator<'_>, [v, x]: [usize; 2]) -> Option<HandedOn> {
         let operand = generator.kind(x).parity();
         if let Some(w) = self.primary[v] {
+            // Of another I, `V/⟨V Ṽ⟩` has no such dual, and numbers and volumes are still duals.
+            if !is_unimodular(generator) {
+                return None;
+            }
             let base = [w, x];
             let &(output, costs) = self.known.get(&base)?;
             let (form, output) = match operand {
@@ -127,6 +134,13 @@ impl Duality {
             costs,
         })
     }
+}
+
+/// Whether `I² = ±1`.
+fn is_unimodular(generator: &Generator<'_>) -> bool {
+    let all = (1_u32 << generator.model.dimension()) - 1;
+    let square = generator.tables.blades(Product::Geometric, all, all);
+    square.iter().all(|(_, value)| value.abs().is_one())
 }
 
 /// The type that an element fits exactly: all of its coefficients and no others.
