@@ -14,6 +14,7 @@ pub mod dense;
 pub mod dual;
 mod implement;
 mod involution;
+mod length_mismatch;
 pub mod linear_map;
 pub mod matrix;
 mod metric;
@@ -29,7 +30,8 @@ pub use convert::Narrowing;
 #[doc(hidden)]
 pub use implement::features::crates;
 pub use involution::Involution;
-pub use linear_map::{LengthMismatch, LinearMap};
+pub use length_mismatch::LengthMismatch;
+pub use linear_map::LinearMap;
 pub use metric::{Metric, MetricError};
 pub use ops::Element;
 pub use product::Product;

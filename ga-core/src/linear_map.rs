@@ -4,7 +4,7 @@ use core::{array, fmt};
 
 use crate::convert::{basis, pick};
 use crate::ops::{ApplyUnit, Element, Outermorphism};
-use crate::{Field, Scalar};
+use crate::{Field, LengthMismatch, Scalar};
 
 /// What a versor does to elements of one type, as a matrix: the outermorphism `x ↦ V x̂ V⁻¹`.
 ///
@@ -35,27 +35,6 @@ use crate::{Field, Scalar};
 pub struct LinearMap<V: Outermorphism<X>, X> {
     rows: V::Rows,
 }
-
-/// Two slices that belong together are of different lengths.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LengthMismatch {
-    /// How many elements there are.
-    pub elements: usize,
-    /// How many places there are for their images.
-    pub images: usize,
-}
-
-impl fmt::Display for LengthMismatch {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} elements do not fill a slice of {} images; give slices of one length",
-            self.elements, self.images
-        )
-    }
-}
-
-impl core::error::Error for LengthMismatch {}
 
 impl<V: Outermorphism<X>, X> LinearMap<V, X> {
     /// The matrix of a versor, given the multiple whose reverse is the inverse.
@@ -108,8 +87,8 @@ fn into_slice<X: Copy, Y>(
 ) -> Result<(), LengthMismatch> {
     if elements.len() != images.len() {
         return Err(LengthMismatch {
-            elements: elements.len(),
-            images: images.len(),
+            left: elements.len(),
+            right: images.len(),
         });
     }
     for (place, x) in images.iter_mut().zip(elements) {

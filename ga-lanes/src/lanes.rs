@@ -1,5 +1,7 @@
 //! What a kernel may ask of lanes: to be loaded, stored, broadcast and counted.
 
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod instructions;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod vector;

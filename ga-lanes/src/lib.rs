@@ -69,8 +69,8 @@ mod task;
 
 pub use batch::Batch;
 pub use dispatch::{Kernel, dispatch, dispatch_on};
+pub use ga_core::LengthMismatch;
 pub use lanes::Lanes;
-pub use methods::LengthMismatch;
 pub use number::Number;
 pub use operand::{One, Operand};
 pub use operation::{Map, ZipMap};

@@ -4,7 +4,9 @@ use ga_core::Real;
 
 use crate::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
-use crate::lanes::vector::{Instructions, Vector};
+use crate::lanes::instructions::Instructions;
+#[cfg(target_arch = "x86_64")]
+use crate::lanes::vector::Vector;
 #[cfg(target_arch = "x86_64")]
 use crate::target::{V3, V4};
 

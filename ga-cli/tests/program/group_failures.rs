@@ -47,7 +47,7 @@ fn unknown_symbols_are_answered_with_the_nearest() {
         (&["P -6 m"], "`P -6 m 2`, `P -6 2 m`"),
         (&["C 4/m m m"], "`-C 4 2`"),
         (&["C4mm"], "larger cell"),
-        (&["F 41/d d m"], "`-F 4 2`"),
+        (&["F 41/d d m"], "give its symbol with I"),
         (&["14:b4"], "such as c or b1"),
         (&["14:-b1"], "such as c or b1"),
         (&["14:1"], "unique axis"),

@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 use core::mem::transmute;
 
-use super::vector::Instructions;
+use super::instructions::Instructions;
 use crate::target::{V3, V4};
 
 macro_rules! instructions {
