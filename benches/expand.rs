@@ -5,6 +5,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+use ga_benches::declarations;
+
 /// The budgets that the project holds itself to.
 const TOKEN_BUDGET: usize = 500_000;
 const SECONDS_BUDGET: f64 = 15.0;
@@ -17,8 +19,7 @@ fn main() {
     for preset in ["R2", "R3", "R2_0_1", "R3_0_1", "R1_3", "R4_1", "R3_3", "R6"] {
         report(preset, preset);
     }
-    let conformal = conformal_declaration();
-    let tokens = report("conformal (ga-cga)", &conformal);
+    let tokens = report("conformal (ga-cga)", declarations::conformal());
     println!("conformal expansion: {tokens} tokens, budget {TOKEN_BUDGET}");
     match compile_seconds() {
         Ok(seconds) => println!(
@@ -50,17 +51,6 @@ fn report(name: &str, declaration: &str) -> usize {
         ledger.entries.len()
     );
     ledger.tokens
-}
-
-/// The body of the one declaration of the conformal model.
-fn conformal_declaration() -> String {
-    let source = include_str!("../ga-cga/src/algebra.rs");
-    let body = source
-        .split_once("define_algebra! {")
-        .map_or("", |(_, body)| body);
-    body.rsplit_once('}')
-        .map_or(body, |(body, _)| body)
-        .to_owned()
 }
 
 /// CPU seconds of compiling ga-cga alone, its dependencies built before.

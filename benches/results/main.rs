@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 /// A section of the page: the bench, its heading, and what is to be known for reading it.
-const SECTIONS: [(&str, &str, &str); 5] = [
+const SECTIONS: [(&str, &str, &str); 6] = [
     (
         "peers",
         "Beside other libraries",
@@ -16,6 +16,12 @@ const SECTIONS: [(&str, &str, &str); 5] = [
          structs, all in one process and in turns, the fastest of many windows. `ratio` is ours \
          over the best other. Rows of the conformal model tell how many times as long they take \
          as a rigid motion of a point by nalgebra, timed in turns with them.",
+    ),
+    (
+        "operations",
+        "Operations",
+        "What the ledgers count: multiplications, doublings apart, additions, and operations where \
+         a product and the addition that it joins are one.",
     ),
     (
         "counts",

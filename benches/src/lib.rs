@@ -2,5 +2,6 @@
 
 pub mod builds;
 pub mod data;
+pub mod declarations;
 pub mod ours;
 pub mod race;
