@@ -180,6 +180,6 @@ fn batches_of_different_lengths_are_refused() {
     assert_eq!(out.to_vec(), points[..2]);
     assert_eq!(
         mismatch.to_string(),
-        "a batch of 7 elements and one of 9 cannot be combined element by element"
+        "7 elements do not go with 9 one by one; give as many on both sides"
     );
 }
