@@ -1,5 +1,7 @@
 //! Whether factored kernels are the same functions, and cost no more.
 
+mod accuracy;
+
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
