@@ -6,7 +6,7 @@ use ga_benches::ours::conformal::{circle, dense, line, motor, plane, sphere, ver
 use ga_benches::race::{Contestant, ELEMENTS};
 
 use crate::others;
-use crate::table::{Contest, Goal, Table};
+use crate::table::{Contest, Goal, OURS, Table};
 
 /// The contests over one type of numbers.
 macro_rules! contests {
@@ -34,12 +34,9 @@ macro_rules! contests {
                     |p| view((*p).into()),
                 );
                 table.add(Contest {
-                    operation,
-                    scalar,
                     homogeneous: true,
-                    goal,
                     yardstick: Some(yardstick),
-                    contestants,
+                    ..Contest::new(operation, scalar, goal, contestants)
                 });
             };
             add(
@@ -47,7 +44,7 @@ macro_rules! contests {
                 Goal::OfIsometry(2.1),
                 vec![
                     Contestant::binary(
-                        "ours",
+                        OURS,
                         motors.clone(),
                         points[0].clone(),
                         |m, p| m.apply(p),
@@ -66,7 +63,7 @@ macro_rules! contests {
                 "conformal-motor-on-line",
                 Goal::Shown,
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     motors.clone(),
                     lines,
                     |m, l| m.apply(l),
@@ -77,7 +74,7 @@ macro_rules! contests {
                 "conformal-motor-on-circle",
                 Goal::OfIsometry(4.6),
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     motors.clone(),
                     circles,
                     |m, c| m.apply(c),
@@ -89,7 +86,7 @@ macro_rules! contests {
                 "p∧q∧r",
                 Goal::OfIsometry(2.9),
                 vec![Contestant::ternary(
-                    "ours",
+                    OURS,
                     [p, q, r],
                     |p, q, r| p ^ q ^ r,
                     |c| view(c.to_array()),
@@ -100,7 +97,7 @@ macro_rules! contests {
                 "sphere-of-four-points",
                 Goal::OfIsometry(3.8),
                 vec![Contestant::quaternary(
-                    "ours",
+                    OURS,
                     [p, q, r, s],
                     |p, q, r, s| p ^ q ^ r ^ s,
                     |c| view(c.to_array()),
@@ -112,7 +109,7 @@ macro_rules! contests {
                 "sphere∧plane",
                 Goal::Shown,
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     spheres,
                     planes,
                     |s, p| s ^ p,
@@ -123,7 +120,7 @@ macro_rules! contests {
                 "conformal-motor·motor",
                 Goal::Shown,
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     motors,
                     b.iter().map(motor).collect(),
                     |a, b| a * b,
@@ -134,7 +131,7 @@ macro_rules! contests {
                 "even-versor-on-point",
                 Goal::Shown,
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     versors.clone(),
                     points[1].clone(),
                     |v, p| v.apply(p),
@@ -146,7 +143,7 @@ macro_rules! contests {
                 "dense-32×32",
                 Goal::OfIsometry(50.0),
                 vec![Contestant::binary(
-                    "ours",
+                    OURS,
                     dense(x),
                     dense(y),
                     |a, b| a * b,

@@ -1,9 +1,10 @@
 //! R3: rotors on vectors and rotors times rotors, against quaternions and rotors of others.
 
 use ga_benches::race::{Contestant, ELEMENTS};
+use ga_lanes::slices;
 
 use crate::others;
-use crate::table::{Contest, Goal, Table};
+use crate::table::{BY_SLICES, Contest, Goal, OURS, Table};
 use ga_benches::data::Data;
 use ga_benches::ours::euclidean::{rotor, vector};
 
@@ -13,22 +14,32 @@ macro_rules! contests {
         fn $module(table: &mut Table) {
             use others::$module::*;
 
+            let scalar = stringify!($float);
             let data = Data::new(ELEMENTS);
             let [a, b] = &data.rotations;
             let x = &data.vectors[0];
 
-            table.add(Contest {
-                operation: "rotor-on-vector",
-                scalar: stringify!($float),
-                homogeneous: false,
-                goal: Goal::Fastest,
-                yardstick: None,
-                contestants: vec![
+            table.add(Contest::new(
+                "rotor-on-vector",
+                scalar,
+                Goal::Fastest,
+                vec![
                     Contestant::binary(
-                        "ours",
+                        OURS,
                         a.iter().map(rotor::<$float>).collect(),
                         x.iter().map(vector).collect(),
                         |q, x| q.apply(x),
+                        |x| view(x.to_array()),
+                    ),
+                    Contestant::slices(
+                        BY_SLICES,
+                        a.iter().map(rotor::<$float>).collect(),
+                        x.iter().map(vector).collect(),
+                        x.iter().map(vector).collect(),
+                        |rotors, vectors, images| {
+                            let done = slices::apply(rotors, vectors, images);
+                            debug_assert_eq!(done, Ok(()));
+                        },
                         |x| view(x.to_array()),
                     ),
                     Contestant::binary(
@@ -53,23 +64,29 @@ macro_rules! contests {
                         |x| view((*x).into()),
                     ),
                 ],
-            });
-            table.add(Contest {
-                operation: "rotor·rotor",
-                scalar: stringify!($float),
-                homogeneous: false,
-                goal: Goal::Fastest,
-                yardstick: None,
-                contestants: vec![
+            ));
+            table.add(Contest::new(
+                "rotor·rotor",
+                scalar,
+                Goal::Fastest,
+                vec![
                     Contestant::binary(
-                        "ours",
+                        OURS,
                         a.iter().map(rotor::<$float>).collect(),
                         b.iter().map(rotor).collect(),
                         |a, b| a * b,
-                        |q| {
-                            let [s, x, y, z] = q.to_array();
-                            view([s, -x, -y, -z])
+                        |q| view(q.reverse().to_array()),
+                    ),
+                    Contestant::slices(
+                        BY_SLICES,
+                        a.iter().map(rotor::<$float>).collect(),
+                        b.iter().map(rotor).collect(),
+                        b.iter().map(rotor).collect(),
+                        |a, b, products| {
+                            let done = slices::geometric(a, b, products);
+                            debug_assert_eq!(done, Ok(()));
                         },
+                        |q| view(q.reverse().to_array()),
                     ),
                     Contestant::binary(
                         "nalgebra",
@@ -93,7 +110,7 @@ macro_rules! contests {
                         |q| view([q.s, -q.bv.yz, q.bv.xz, -q.bv.xy]),
                     ),
                 ],
-            });
+            ));
         }
     };
 }

@@ -4,7 +4,8 @@
 //! A row is the operation, the type of the numbers, the nanoseconds that this library takes for
 //! one element, the fastest other library and its nanoseconds, and the ratio of the two. Results
 //! are compared before anything is timed. The program compiles and runs itself again for each
-//! build; with `--here` it is content with the build it is.
+//! build; with `--here` it is content with the build it is, and with `--only motor` it measures
+//! the operations whose names contain that.
 //!
 //! Not compared: `g3` needs a nightly compiler, `wedged` knows no metric but the Euclidean,
 //! `geonum` has numbers with angles instead of multivectors, `cga` and `pga` are names without
@@ -23,9 +24,17 @@ use ga_benches::builds::Build;
 use table::Table;
 
 fn main() -> ExitCode {
-    let results = match std::env::args().any(|argument| argument == "--here") {
-        true => vec![here()],
-        false => Build::ALL.into_iter().map(table_of).collect(),
+    let arguments: Vec<String> = std::env::args().collect();
+    let mut after = arguments
+        .iter()
+        .skip_while(|argument| *argument != "--only");
+    let only = after.nth(1).map_or("", String::as_str);
+    let results = match arguments.iter().any(|argument| argument == "--here") {
+        true => vec![here(only)],
+        false => Build::ALL
+            .into_iter()
+            .map(|build| table_of(build, only))
+            .collect(),
     };
     match results.into_iter().collect() {
         Ok(()) => ExitCode::SUCCESS,
@@ -37,8 +46,8 @@ fn main() -> ExitCode {
 }
 
 /// Prints the table of the build that this is.
-fn here() -> Result<(), String> {
-    let mut table = Table::default();
+fn here(only: &str) -> Result<(), String> {
+    let mut table = Table::of(only.to_owned());
     euclidean::run(&mut table);
     plane_based::run(&mut table);
     conformal::run(&mut table);
@@ -50,12 +59,12 @@ fn here() -> Result<(), String> {
 }
 
 /// Prints the table of one of the builds.
-fn table_of(build: Build) -> Result<(), String> {
+fn table_of(build: Build, only: &str) -> Result<(), String> {
     println!("{} {}", build.name(), build.flags());
     if build.is_this() {
-        here()?;
+        here(only)?;
     } else if build.runs_here() {
-        print!("{}", build.run("peers", &["--here"])?);
+        print!("{}", build.run("peers", &["--here", "--only", only])?);
     } else {
         println!("not on this machine");
     }

@@ -7,12 +7,18 @@ use ga_benches::data::Data;
 use ga_benches::ours::plane_based as ours;
 use ga_benches::ours::plane_based::{Line, motor, plane, screw};
 use ga_benches::race::{Contestant, ELEMENTS};
+use ga_lanes::{One, slices};
 
 use crate::others;
-use crate::table::{Contest, Goal, Table};
+use crate::table::{BY_SLICES, Contest, Goal, OURS, Table};
 
 /// Where the corners of a frame are taken: a motion, whatever it is stored as.
 const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The images of the corners, one after the other.
+fn corners(image: impl Fn(&[f64; 3]) -> Vec<f64>) -> Vec<f64> {
+    CORNERS.iter().flat_map(image).collect()
+}
 
 /// One motion on all points: each library by what it has for that.
 macro_rules! one_on_many {
@@ -24,10 +30,24 @@ macro_rules! one_on_many {
         let columns = $data.vectors[0].iter().map(point).collect::<Vec<_>>();
         let vecs = $data.vectors[0].iter().map(vec).collect::<Vec<_>>();
         vec![
-            Contestant::unary(
-                "ours",
+            Contestant::slice(
+                OURS,
                 $points.clone(),
-                move |p| own.apply(p),
+                $points.clone(),
+                move |points, images| {
+                    let done = own.apply_slice(points, images);
+                    debug_assert_eq!(done, Ok(()));
+                },
+                |p| view(p.to_array()),
+            ),
+            Contestant::slice(
+                BY_SLICES,
+                $points.clone(),
+                $points.clone(),
+                move |points, images| {
+                    let done = slices::apply(One(own), points, images);
+                    debug_assert_eq!(done, Ok(()));
+                },
                 |p| view(p.to_array()),
             ),
             Contestant::unary(
@@ -83,86 +103,87 @@ macro_rules! contests {
             let motors: Vec<_> = a.iter().map(motor::<$float>).collect();
             let points: Vec<_> = x.iter().map(ours::point::<$float>).collect();
             let lines: Vec<_> = x.iter().zip(y).map(ours::line::<$float>).collect();
+            let mut add = |operation, goal, homogeneous, contestants| {
+                let contest = Contest::new(operation, scalar, goal, contestants);
+                table.add(match homogeneous {
+                    true => contest.homogeneous(),
+                    false => contest,
+                });
+            };
             let planes = data.planes.each_ref();
             let planes =
                 planes.map(|planes| planes.iter().map(plane::<$float>).collect::<Vec<_>>());
 
             let mut contestants = vec![
                 Contestant::binary(
-                    "ours",
+                    OURS,
                     motors.clone(),
                     b.iter().map(motor).collect(),
                     |a, b| a * b,
-                    |m| {
-                        let corner = |x: &[f64; 3]| view(m.apply(ours::point(x)).to_array());
-                        CORNERS.iter().flat_map(corner).collect()
+                    |m| corners(|x| view(m.apply(ours::point(x)).to_array())),
+                ),
+                Contestant::slices(
+                    BY_SLICES,
+                    motors.clone(),
+                    b.iter().map(motor).collect(),
+                    motors.clone(),
+                    |a, b, products| {
+                        let done = slices::geometric(a, b, products);
+                        debug_assert_eq!(done, Ok(()));
                     },
+                    |m| corners(|x| view(m.apply(ours::point(x)).to_array())),
                 ),
                 Contestant::binary(
                     "nalgebra",
                     a.iter().map(isometry).collect(),
                     b.iter().map(isometry).collect(),
                     |a, b| a * b,
-                    |m| {
-                        CORNERS
-                            .iter()
-                            .flat_map(|x| view((m * point(x)).into()))
-                            .collect()
-                    },
+                    |m| corners(|x| view((m * point(x)).into())),
                 ),
                 Contestant::binary(
                     "nalgebra-dual-quat",
                     a.iter().map(dual_quaternion).collect(),
                     b.iter().map(dual_quaternion).collect(),
                     |a, b| a * b,
-                    |m| {
-                        CORNERS
-                            .iter()
-                            .flat_map(|x| view((m * point(x)).into()))
-                            .collect()
-                    },
+                    |m| corners(|x| view((m * point(x)).into())),
                 ),
                 Contestant::binary(
                     "glam-affine",
                     a.iter().map(affine).collect(),
                     b.iter().map(affine).collect(),
                     |a, b| a * b,
-                    |m| {
-                        let corner = |x| view(m.transform_point3(vec(x)).to_array());
-                        CORNERS.iter().flat_map(corner).collect()
-                    },
+                    |m| corners(|x| view(m.transform_point3(vec(x)).to_array())),
                 ),
                 Contestant::binary(
                     "ultraviolet",
                     a.iter().map(ultra_isometry).collect(),
                     b.iter().map(ultra_isometry).collect(),
                     |a, b| a * b,
-                    |m| {
-                        CORNERS
-                            .iter()
-                            .flat_map(|x| view((*m * ultra_vec(x)).into()))
-                            .collect()
-                    },
+                    |m| corners(|x| view((*m * ultra_vec(x)).into())),
                 ),
             ];
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_times_motor(&data));
             }
-            table.add(Contest {
-                operation: "motor·motor",
-                scalar,
-                homogeneous: false,
-                goal: Goal::Fastest,
-                yardstick: None,
-                contestants,
-            });
+            add("motor·motor", Goal::Fastest, false, contestants);
 
             let mut contestants = vec![
                 Contestant::binary(
-                    "ours",
+                    OURS,
                     motors.clone(),
                     points.clone(),
                     |m, p| m.apply(p),
+                    |p| view(p.to_array()),
+                ),
+                Contestant::slices(
+                    BY_SLICES,
+                    motors.clone(),
+                    points.clone(),
+                    points.clone(),
+                    |motors, points, images| {
+                        let done = slices::apply(motors, points, images);
+                        debug_assert_eq!(done, Ok(()));
+                    },
                     |p| view(p.to_array()),
                 ),
                 Contestant::binary(
@@ -204,27 +225,13 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_on_point(&data));
             }
-            table.add(Contest {
-                operation: "motor-on-point",
-                scalar,
-                homogeneous: false,
-                goal: Goal::Fastest,
-                yardstick: None,
-                contestants,
-            });
+            add("motor-on-point", Goal::Fastest, false, contestants);
 
             let contestants = one_on_many!($float, data, points);
-            table.add(Contest {
-                operation: "one-motor-on-points",
-                scalar,
-                homogeneous: false,
-                goal: Goal::Fastest,
-                yardstick: None,
-                contestants,
-            });
+            add("one-motor-on-points", Goal::Fastest, false, contestants);
 
             let mut contestants = vec![Contestant::binary(
-                "ours",
+                OURS,
                 motors.clone(),
                 lines.clone(),
                 |m, l| m.apply(l),
@@ -233,17 +240,10 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_on_line(&data));
             }
-            table.add(Contest {
-                operation: "motor-on-line",
-                scalar,
-                homogeneous: true,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("motor-on-line", Goal::Times(3.0), true, contestants);
 
             let mut contestants = vec![Contestant::binary(
-                "ours",
+                OURS,
                 motors.clone(),
                 planes[0].clone(),
                 |m, p| m.apply(p),
@@ -252,17 +252,10 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_on_plane(&data));
             }
-            table.add(Contest {
-                operation: "motor-on-plane",
-                scalar,
-                homogeneous: true,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("motor-on-plane", Goal::Times(3.0), true, contestants);
 
             let mut contestants = vec![Contestant::binary(
-                "ours",
+                OURS,
                 points.clone(),
                 y.iter().map(ours::point).collect(),
                 |p, q| p & q,
@@ -271,17 +264,10 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::join_of_points(&data));
             }
-            table.add(Contest {
-                operation: "join-of-points",
-                scalar,
-                homogeneous: true,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("join-of-points", Goal::Times(3.0), true, contestants);
 
             let mut contestants = vec![Contestant::ternary(
-                "ours",
+                OURS,
                 planes,
                 |a, b, c| (a ^ b) ^ c,
                 |p| view(p.to_array()),
@@ -289,32 +275,18 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::meet_of_planes(&data));
             }
-            table.add(Contest {
-                operation: "meet-of-three-planes",
-                scalar,
-                homogeneous: true,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("meet-of-three-planes", Goal::Times(3.0), true, contestants);
 
-            let mut contestants = vec![Contestant::unary("ours", lines, screw, |m| {
+            let mut contestants = vec![Contestant::unary(OURS, lines, screw, |m| {
                 view(m.to_array())
             })];
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::exponential(&data));
             }
-            table.add(Contest {
-                operation: "exp-of-line",
-                scalar,
-                homogeneous: false,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("exp-of-line", Goal::Times(3.0), false, contestants);
 
             let mut contestants = vec![Contestant::unary(
-                "ours",
+                OURS,
                 motors,
                 |m| m.log().unwrap_or_default(),
                 |l| view(l.to_array()),
@@ -322,14 +294,7 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::logarithm(&data));
             }
-            table.add(Contest {
-                operation: "log-of-motor",
-                scalar,
-                homogeneous: false,
-                goal: Goal::Times(3.0),
-                yardstick: None,
-                contestants,
-            });
+            add("log-of-motor", Goal::Times(3.0), false, contestants);
         }
     };
 }

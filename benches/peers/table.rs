@@ -31,12 +31,47 @@ pub struct Contest {
     pub goal: Goal,
     /// What the goal is a multiple of, if it is not among the contestants.
     pub yardstick: Option<Contestant>,
-    /// This library first.
+    /// This library first; where it has other ways too, they are named [`BY_SLICES`] and get a row of
+    /// their own against the same others.
     pub contestants: Vec<Contestant>,
 }
 
+impl Contest {
+    /// A contest of results that are compared as they are, without a yardstick.
+    pub fn new(
+        operation: &'static str,
+        scalar: &'static str,
+        goal: Goal,
+        contestants: Vec<Contestant>,
+    ) -> Self {
+        Contest {
+            operation,
+            scalar,
+            homogeneous: false,
+            goal,
+            yardstick: None,
+            contestants,
+        }
+    }
+
+    /// One whose results are compared up to a factor.
+    pub fn homogeneous(self) -> Self {
+        Contest {
+            homogeneous: true,
+            ..self
+        }
+    }
+}
+
+/// This library by a loop, or whatever a user would write first.
+pub const OURS: &str = "ours";
+/// This library by the functions on slices of `ga_lanes`.
+pub const BY_SLICES: &str = "ours-by-slices";
+
 struct Row {
     operation: &'static str,
+    /// Which way of this library.
+    way: &'static str,
     scalar: &'static str,
     goal: Goal,
     times: Vec<(&'static str, f64)>,
@@ -44,9 +79,10 @@ struct Row {
 }
 
 /// The rows, in the order of the contests.
-#[derive(Default)]
 pub struct Table {
     rows: Vec<Row>,
+    /// What the names of the operations must contain.
+    only: String,
     /// What the contestants did not agree on.
     pub disagreements: Vec<String>,
 }
@@ -55,8 +91,20 @@ pub struct Table {
 const NOISE: f64 = 1.05;
 
 impl Table {
+    /// A table of the operations whose names contain this.
+    pub fn of(only: String) -> Self {
+        Table {
+            rows: Vec::new(),
+            only,
+            disagreements: Vec::new(),
+        }
+    }
+
     /// Compares the results of a contest, then times it.
     pub fn add(&mut self, mut contest: Contest) {
+        if !contest.operation.contains(&self.only) {
+            return;
+        }
         let Contest {
             operation,
             scalar,
@@ -72,18 +120,40 @@ impl Table {
         contest.contestants.extend(contest.yardstick);
         let nanoseconds = race(&mut contest.contestants);
         let yardstick = nanoseconds.get(names.len()).copied();
-        let times = names.into_iter().zip(nanoseconds).collect();
-        self.rows.push(Row {
-            operation,
-            scalar,
-            goal,
-            times,
-            yardstick,
-        });
+        let times: Vec<_> = names.into_iter().zip(nanoseconds).collect();
+        let ways = times.iter().map(|(name, _)| *name);
+        self.rows
+            .extend(ways.filter(|name| is_ours(name)).map(|way| Row {
+                operation,
+                way,
+                scalar,
+                goal,
+                times: times.clone(),
+                yardstick,
+            }));
     }
 }
 
+/// Whether a contestant is this library.
+fn is_ours(name: &str) -> bool {
+    [OURS, BY_SLICES].contains(&name)
+}
+
 impl Row {
+    /// The operation, and how it was called.
+    fn name(&self) -> String {
+        match self.way {
+            OURS => self.operation.to_owned(),
+            _ => format!("{}-by-slices", self.operation),
+        }
+    }
+
+    /// The other libraries.
+    fn others(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let times = self.times.iter().copied();
+        times.filter(|(name, _)| !is_ours(name))
+    }
+
     fn time(&self, name: &str) -> Option<f64> {
         self.times
             .iter()
@@ -92,12 +162,11 @@ impl Row {
     }
 
     fn ours(&self) -> f64 {
-        self.times.first().map_or(f64::NAN, |(_, time)| *time)
+        self.time(self.way).unwrap_or(f64::NAN)
     }
 
     fn best(&self) -> Option<(&'static str, f64)> {
-        let others = self.times.iter().skip(1).copied();
-        others.min_by(|a, b| a.1.total_cmp(&b.1))
+        self.others().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Ours over the best other; 0 where there is none.
@@ -154,17 +223,17 @@ impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             f,
-            "{:<26} {:<6} {:>7}  {:<22} {:>7} {:>6}  all and goal",
+            "{:<34} {:<6} {:>7}  {:<22} {:>7} {:>6}  all and goal",
             "operation", "scalar", "ours_ns", "best_name", "best_ns", "ratio"
         )?;
         for row in &self.rows {
             let ours = row.ours();
-            write!(f, "{:<26} {:<6} {ours:>7.2}  ", row.operation, row.scalar)?;
+            write!(f, "{:<34} {:<6} {ours:>7.2}  ", row.name(), row.scalar)?;
             match row.best() {
                 Some((name, best)) => write!(f, "{name:<22} {best:>7.2} {:>6.2}  ", row.ratio())?,
                 None => write!(f, "{:<22} {:>7} {:>6}  ", "-", "-", "-")?,
             }
-            for (name, time) in row.times.iter().skip(1) {
+            for (name, time) in row.others() {
                 write!(f, "{name} {time:.2}, ")?;
             }
             writeln!(f, "{}", row.verdict())?;

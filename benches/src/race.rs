@@ -133,27 +133,45 @@ impl Contestant {
         }
     }
 
-    /// A whole slice by one call: out = f(b).
-    pub fn slice<B, C>(
+    /// A whole slice by one call: f(a, out), where `out` has something in it.
+    pub fn slice<A, C>(
         name: &'static str,
-        b: Vec<B>,
-        function: impl Fn(&[B], &mut [C]) + 'static,
+        a: Vec<A>,
+        mut out: Vec<C>,
+        function: impl Fn(&[A], &mut [C]) + 'static,
         view: impl Fn(&C) -> Vec<f64>,
     ) -> Self
     where
-        B: 'static,
-        C: Clone + Default + 'static,
+        A: 'static,
+        C: 'static,
     {
-        let mut out = vec![C::default(); b.len()];
-        function(&b, &mut out);
+        function(&a, &mut out);
         Contestant {
             name,
             images: out.iter().take(COMPARED).map(view).collect(),
             pass: Box::new(move || {
-                function(black_box(&b), &mut out);
+                function(black_box(&a), &mut out);
                 black_box(&mut out);
             }),
         }
+    }
+
+    /// Two whole slices by one call: f(a, b, out), where `out` has something in it.
+    pub fn slices<A, B, C>(
+        name: &'static str,
+        a: Vec<A>,
+        b: Vec<B>,
+        out: Vec<C>,
+        function: impl Fn(&[A], &[B], &mut [C]) + 'static,
+        view: impl Fn(&C) -> Vec<f64>,
+    ) -> Self
+    where
+        A: 'static,
+        B: 'static,
+        C: 'static,
+    {
+        let both = move |b: &[B], out: &mut [C]| function(black_box(&a), b, out);
+        Contestant::slice(name, b, out, both, view)
     }
 
     /// Seconds of so many passes.

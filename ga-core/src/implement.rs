@@ -74,6 +74,34 @@ macro_rules! element {
                     $Name { $($field: next()),* }
                 }
             }
+
+            $crate::inlined! {
+                fn place(&self, position: usize) -> ::core::option::Option<&T> {
+                    let mut before = 0_usize;
+                    $(
+                        if before == position {
+                            return ::core::option::Option::Some(&self.$field);
+                        }
+                        before += 1;
+                    )*
+                    let _ = before;
+                    ::core::option::Option::None
+                }
+            }
+
+            $crate::inlined! {
+                fn place_mut(&mut self, position: usize) -> ::core::option::Option<&mut T> {
+                    let mut before = 0_usize;
+                    $(
+                        if before == position {
+                            return ::core::option::Option::Some(&mut self.$field);
+                        }
+                        before += 1;
+                    )*
+                    let _ = before;
+                    ::core::option::Option::None
+                }
+            }
         }
 
         $crate::element_methods! { $Name $Sum { $($field $label $mask $sign,)* } }

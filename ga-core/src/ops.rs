@@ -45,6 +45,20 @@ pub trait Element: Copy + PartialEq {
     /// The element whose stored coefficient at each position is given by a function.
     fn from_fn(coefficient: impl FnMut(usize) -> Self::Number) -> Self;
 
+    /// Where the coefficient at a position is stored; `None` beyond the last, and for types that
+    /// do not store what [`at`](Element::at) gives.
+    #[inline]
+    fn place(&self, _position: usize) -> Option<&Self::Number> {
+        None
+    }
+
+    /// Where the coefficient at a position is stored, to be written; `None` as for
+    /// [`place`](Element::place).
+    #[inline]
+    fn place_mut(&mut self, _position: usize) -> Option<&mut Self::Number> {
+        None
+    }
+
     /// The stored coefficient of a blade in the increasing order of its vectors; zero for a
     /// blade that the type does not store.
     #[inline]
@@ -73,6 +87,16 @@ impl<T: Scalar> Element for T {
     #[inline(always)]
     fn from_fn(mut coefficient: impl FnMut(usize) -> T) -> T {
         coefficient(0)
+    }
+
+    #[inline(always)]
+    fn place(&self, position: usize) -> Option<&T> {
+        (position == 0).then_some(self)
+    }
+
+    #[inline(always)]
+    fn place_mut(&mut self, position: usize) -> Option<&mut T> {
+        (position == 0).then_some(self)
     }
 }
 

@@ -190,6 +190,16 @@ impl<V: Element> Element for Unit<V> {
     fn from_fn(coefficient: impl FnMut(usize) -> V::Number) -> Self {
         Unit(V::from_fn(coefficient))
     }
+
+    #[inline(always)]
+    fn place(&self, position: usize) -> Option<&V::Number> {
+        self.0.place(position)
+    }
+
+    #[inline(always)]
+    fn place_mut(&mut self, position: usize) -> Option<&mut V::Number> {
+        self.0.place_mut(position)
+    }
 }
 
 impl<V: fmt::Display> fmt::Display for Unit<V> {

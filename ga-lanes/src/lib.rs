@@ -64,6 +64,7 @@ mod number;
 mod operand;
 mod operation;
 mod partial;
+pub mod slices;
 mod target;
 mod task;
 

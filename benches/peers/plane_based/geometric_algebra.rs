@@ -7,7 +7,7 @@ use geometric_algebra::{
     Exp, GeometricProduct, Ln, OuterProduct, RegressiveProduct, Transformation,
 };
 
-use super::CORNERS;
+use super::corners;
 use crate::others::single::number;
 
 const NAME: &str = "geometric_algebra";
@@ -60,10 +60,7 @@ pub fn motor_times_motor(data: &Data) -> Contestant {
         motors(data),
         data.motions[1].iter().map(motor).collect(),
         |a, b| a.geometric_product(b),
-        |m| {
-            let corner = |x| coordinates(&m.transformation(point(x)));
-            CORNERS.iter().flat_map(corner).collect()
-        },
+        |m| corners(|x| coordinates(&m.transformation(point(x)))),
     )
 }
 

@@ -7,6 +7,7 @@ mod neighbours;
 mod operations;
 mod parallel;
 mod samples;
+mod slices;
 
 ga_macros::define_algebra! {
     crate = ga_core;
