@@ -3,8 +3,8 @@
 use ga_benches::race::{Contestant, ELEMENTS};
 use ga_lanes::slices;
 
-use crate::others;
 use crate::table::{BY_SLICES, Contest, Goal, OURS, Table};
+use crate::{clifford, others};
 use ga_benches::data::Data;
 use ga_benches::ours::euclidean::{rotor, vector};
 
@@ -19,98 +19,95 @@ macro_rules! contests {
             let [a, b] = &data.rotations;
             let x = &data.vectors[0];
 
-            table.add(Contest::new(
-                "rotor-on-vector",
-                scalar,
-                Goal::Fastest,
-                vec![
-                    Contestant::binary(
-                        OURS,
-                        a.iter().map(rotor::<$float>).collect(),
-                        x.iter().map(vector).collect(),
-                        |q, x| q.apply(x),
-                        |x| view(x.to_array()),
-                    ),
-                    Contestant::slices(
-                        BY_SLICES,
-                        a.iter().map(rotor::<$float>).collect(),
-                        x.iter().map(vector).collect(),
-                        x.iter().map(vector).collect(),
-                        |rotors, vectors, images| {
-                            let done = slices::apply(rotors, vectors, images);
-                            debug_assert_eq!(done, Ok(()));
-                        },
-                        |x| view(x.to_array()),
-                    ),
-                    Contestant::binary(
-                        "nalgebra",
-                        a.iter().map(quaternion).collect(),
-                        x.iter().map(column).collect(),
-                        |q, x| q * x,
-                        |x| view((*x).into()),
-                    ),
-                    Contestant::binary(
-                        "glam",
-                        a.iter().map(quat).collect(),
-                        x.iter().map(vec).collect(),
-                        |q, x| q * x,
-                        |x| view(x.to_array()),
-                    ),
-                    Contestant::binary(
-                        "ultraviolet",
-                        a.iter().map(ultra_rotor).collect(),
-                        x.iter().map(ultra_vec).collect(),
-                        |q, x| q * x,
-                        |x| view((*x).into()),
-                    ),
-                ],
-            ));
-            table.add(Contest::new(
-                "rotor·rotor",
-                scalar,
-                Goal::Fastest,
-                vec![
-                    Contestant::binary(
-                        OURS,
-                        a.iter().map(rotor::<$float>).collect(),
-                        b.iter().map(rotor).collect(),
-                        |a, b| a * b,
-                        |q| view(q.reverse().to_array()),
-                    ),
-                    Contestant::slices(
-                        BY_SLICES,
-                        a.iter().map(rotor::<$float>).collect(),
-                        b.iter().map(rotor).collect(),
-                        b.iter().map(rotor).collect(),
-                        |a, b, products| {
-                            let done = slices::geometric(a, b, products);
-                            debug_assert_eq!(done, Ok(()));
-                        },
-                        |q| view(q.reverse().to_array()),
-                    ),
-                    Contestant::binary(
-                        "nalgebra",
-                        a.iter().map(quaternion).collect(),
-                        b.iter().map(quaternion).collect(),
-                        |a, b| a * b,
-                        |q| view([q.w, q.i, q.j, q.k]),
-                    ),
-                    Contestant::binary(
-                        "glam",
-                        a.iter().map(quat).collect(),
-                        b.iter().map(quat).collect(),
-                        |a, b| a * b,
-                        |q| view([q.w, q.x, q.y, q.z]),
-                    ),
-                    Contestant::binary(
-                        "ultraviolet",
-                        a.iter().map(ultra_rotor).collect(),
-                        b.iter().map(ultra_rotor).collect(),
-                        |a, b| a * b,
-                        |q| view([q.s, -q.bv.yz, q.bv.xz, -q.bv.xy]),
-                    ),
-                ],
-            ));
+            let mut add = |operation, contestants| {
+                table.add(Contest::new(operation, scalar, Goal::Fastest, contestants));
+            };
+            let mut contestants = vec![
+                Contestant::binary(
+                    OURS,
+                    a.iter().map(rotor::<$float>).collect(),
+                    x.iter().map(vector).collect(),
+                    |q, x| q.apply(x),
+                    |x| view(x.to_array()),
+                ),
+                Contestant::slices(
+                    BY_SLICES,
+                    a.iter().map(rotor::<$float>).collect(),
+                    x.iter().map(vector).collect(),
+                    x.iter().map(vector).collect(),
+                    |rotors, vectors, images| {
+                        let done = slices::apply(rotors, vectors, images);
+                        debug_assert_eq!(done, Ok(()));
+                    },
+                    |x| view(x.to_array()),
+                ),
+                Contestant::binary(
+                    "nalgebra",
+                    a.iter().map(quaternion).collect(),
+                    x.iter().map(column).collect(),
+                    |q, x| q * x,
+                    |x| view((*x).into()),
+                ),
+                Contestant::binary(
+                    "glam",
+                    a.iter().map(quat).collect(),
+                    x.iter().map(vec).collect(),
+                    |q, x| q * x,
+                    |x| view(x.to_array()),
+                ),
+                Contestant::binary(
+                    "ultraviolet",
+                    a.iter().map(ultra_rotor).collect(),
+                    x.iter().map(ultra_vec).collect(),
+                    |q, x| q * x,
+                    |x| view((*x).into()),
+                ),
+            ];
+            contestants.extend(clifford::rotor_on_vector::<$float>(&data));
+            add("rotor-on-vector", contestants);
+            let mut contestants = vec![
+                Contestant::binary(
+                    OURS,
+                    a.iter().map(rotor::<$float>).collect(),
+                    b.iter().map(rotor).collect(),
+                    |a, b| a * b,
+                    |q| view(q.reverse().to_array()),
+                ),
+                Contestant::slices(
+                    BY_SLICES,
+                    a.iter().map(rotor::<$float>).collect(),
+                    b.iter().map(rotor).collect(),
+                    b.iter().map(rotor).collect(),
+                    |a, b, products| {
+                        let done = slices::geometric(a, b, products);
+                        debug_assert_eq!(done, Ok(()));
+                    },
+                    |q| view(q.reverse().to_array()),
+                ),
+                Contestant::binary(
+                    "nalgebra",
+                    a.iter().map(quaternion).collect(),
+                    b.iter().map(quaternion).collect(),
+                    |a, b| a * b,
+                    |q| view([q.w, q.i, q.j, q.k]),
+                ),
+                Contestant::binary(
+                    "glam",
+                    a.iter().map(quat).collect(),
+                    b.iter().map(quat).collect(),
+                    |a, b| a * b,
+                    |q| view([q.w, q.x, q.y, q.z]),
+                ),
+                Contestant::binary(
+                    "ultraviolet",
+                    a.iter().map(ultra_rotor).collect(),
+                    b.iter().map(ultra_rotor).collect(),
+                    |a, b| a * b,
+                    |q| view([q.s, -q.bv.yz, q.bv.xz, -q.bv.xy]),
+                ),
+            ];
+            contestants.extend(clifford::rotor_times_rotor::<$float>(&data));
+            add("rotor·rotor", contestants);
         }
     };
 }

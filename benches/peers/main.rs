@@ -7,10 +7,16 @@
 //! build; with `--here` it is content with the build it is, and with `--only motor` it measures
 //! the operations whose names contain that.
 //!
-//! Not compared: `g3` needs a nightly compiler, `wedged` knows no metric but the Euclidean,
-//! `geonum` has numbers with angles instead of multivectors, `cga` and `pga` are names without
-//! code, and `clifford` takes a minute to compile for each build, as long as all the rest.
+//! This library is called as one would first: by a loop over structs, and one motor on many points
+//! by `apply_slice`. Rows that end in `-by-slices` are the functions of `ga_lanes::slices` on the
+//! same structs, against the same others.
+//!
+//! `clifford` takes longer to compile than all the rest together, and takes part with `--features
+//! clifford`. Not compared: `g3` needs a nightly compiler, `wedged` knows no metric but the
+//! Euclidean, `geonum` has numbers with angles instead of multivectors, `cga` and `pga` are names
+//! without code.
 
+mod clifford;
 mod conformal;
 mod euclidean;
 mod others;

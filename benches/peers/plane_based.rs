@@ -7,16 +7,16 @@ use ga_benches::data::Data;
 use ga_benches::ours::plane_based as ours;
 use ga_benches::ours::plane_based::{Line, motor, plane, screw};
 use ga_benches::race::{Contestant, ELEMENTS};
-use ga_lanes::{One, slices};
+use ga_lanes::slices;
 
-use crate::others;
 use crate::table::{BY_SLICES, Contest, Goal, OURS, Table};
+use crate::{clifford, others};
 
 /// Where the corners of a frame are taken: a motion, whatever it is stored as.
 const CORNERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The images of the corners, one after the other.
-fn corners(image: impl Fn(&[f64; 3]) -> Vec<f64>) -> Vec<f64> {
+pub fn corners(image: impl Fn(&[f64; 3]) -> Vec<f64>) -> Vec<f64> {
     CORNERS.iter().flat_map(image).collect()
 }
 
@@ -36,16 +36,6 @@ macro_rules! one_on_many {
                 $points.clone(),
                 move |points, images| {
                     let done = own.apply_slice(points, images);
-                    debug_assert_eq!(done, Ok(()));
-                },
-                |p| view(p.to_array()),
-            ),
-            Contestant::slice(
-                BY_SLICES,
-                $points.clone(),
-                $points.clone(),
-                move |points, images| {
-                    let done = slices::apply(One(own), points, images);
                     debug_assert_eq!(done, Ok(()));
                 },
                 |p| view(p.to_array()),
@@ -165,6 +155,7 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_times_motor(&data));
             }
+            contestants.extend(clifford::motor_times_motor::<$float>(&data));
             add("motor·motor", Goal::Fastest, false, contestants);
 
             let mut contestants = vec![
@@ -225,6 +216,7 @@ macro_rules! contests {
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::motor_on_point(&data));
             }
+            contestants.extend(clifford::motor_on_point::<$float>(&data));
             add("motor-on-point", Goal::Fastest, false, contestants);
 
             let contestants = one_on_many!($float, data, points);

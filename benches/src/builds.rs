@@ -15,6 +15,12 @@ pub enum Build {
     NativeAvx2,
 }
 
+/// The features that this program has, for the other builds of it.
+const FEATURES: &[&str] = match cfg!(feature = "clifford") {
+    true => &["--features", "clifford"],
+    false => &[],
+};
+
 impl Build {
     /// All builds.
     pub const ALL: [Build; 4] = [Build::Baseline, Build::V3, Build::Native, Build::NativeAvx2];
@@ -67,7 +73,9 @@ impl Build {
         eprintln!("building {bench} for {} …", self.name());
         let output = Command::new(env!("CARGO"))
             .args(["bench", "--quiet", "--package", "ga-benches", "--bench"])
-            .args([bench, "--target", "host-tuple", "--"])
+            .args([bench, "--target", "host-tuple"])
+            .args(FEATURES)
+            .arg("--")
             .args(arguments)
             .env("RUSTFLAGS", self.flags())
             .env_remove("CARGO_ENCODED_RUSTFLAGS")

@@ -36,9 +36,10 @@
 //! # Elements in slices
 //! For single elements and slices of them the compiler decides alone. The default x86-64 target
 //! leaves fused multiply-add and wide vectors unused: build with
-//! `RUSTFLAGS="-C target-cpu=x86-64-v3"`. [`Batch::from_slice`] and [`Batch::to_vec`] turn slices
-//! into batches and back, which costs about as much as copying them twice; that pays where an
-//! operation costs more, or where several follow one another.
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3"`. The functions of [`slices`] compute slices in lanes
+//! without that flag. [`Batch::from_slice`] and [`Batch::to_vec`] turn slices into batches and
+//! back, which costs about as much as copying them twice; that pays where several operations follow
+//! one another.
 //!
 //! # Limits
 //! Exponentials, and what has no value for some elements, run in the portable lanes on every
@@ -53,8 +54,9 @@
 //! This crate is the only one of the project with any, because the instructions of a target are
 //! not safe to call where the compiler does not know the target, and operators on lanes are such a
 //! place. It is in the operators on vectors, in the call of the function that is compiled for a
-//! target, and in the access to columns of whole cache lines, each with its reason. Vectors cannot
-//! be had outside of a kernel, and kernels run on targets that were found only.
+//! target, in the access to columns of whole cache lines, and in the transposing of [`slices`],
+//! each with its reason. Vectors cannot be had outside of a kernel, and kernels run on targets that
+//! were found only.
 
 mod batch;
 mod dispatch;

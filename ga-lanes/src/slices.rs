@@ -22,8 +22,18 @@
 //! # Ok::<(), ga_lanes::LengthMismatch>(())
 //! ```
 //!
-//! Operations that some elements have no value of are those of batches; see
+//! One versor on many elements is faster by its own `apply_slice`, whose matrix takes fewer
+//! multiplications. Operations that some elements have no value of are those of batches; see
 //! [`Partial`](crate::Partial). On several threads, give each a part of the slices.
+//!
+//! Types of at most sixteen coefficients, stored one after the other as those of `define_algebra!`
+//! are, are transposed in registers; others number by number.
+//!
+//! # Unsafe code
+//! A slice is read and written as the numbers that it consists of, after every element has shown by
+//! the addresses of its coefficients that it is nothing else ([`Element::place`]); the compiler
+//! knows the addresses, and nothing is left of the question. Registers are loaded, shuffled and
+//! stored by instructions of the target that runs.
 
 mod elements;
 mod parts;

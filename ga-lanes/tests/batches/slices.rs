@@ -1,7 +1,9 @@
 //! Slices of structs against single elements, on every target, whatever is left behind the last
 //! whole block.
 
-use ga_core::{Element, Unit};
+use std::ops::Sub;
+
+use ga_core::{Blade, Element, Scalar, Unit};
 use ga_lanes::{Lanes, LengthMismatch, Map, Number, One, ZipMap, slices};
 
 use super::plane;
@@ -136,6 +138,58 @@ fn structs_of_any_length_are_read_and_written_whole() {
     on_every_target(|| {
         widths!(f32 One Two Three Four Five Six Seven Eight Nine Sixteen Seventeen);
         widths!(f64 One Two Three Four Five Six Seven Eight Nine Sixteen Seventeen);
+    });
+}
+
+/// An element by hand, which stores its coefficients in the opposite order, behind something else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Backwards<T> {
+    mark: u64,
+    last: T,
+    first: T,
+}
+
+impl<T: Scalar> Element for Backwards<T> {
+    type Number = T;
+    type Over<U: Scalar> = Backwards<U>;
+    const BLADES: &'static [(Blade, i8)] = &[(Blade::new(1), 1), (Blade::new(2), 1)];
+    const FIXED: &'static [(Blade, i8, i64, i64)] = &[];
+    const LABELS: &'static [&'static str] = &["e1", "e2"];
+
+    fn at(&self, position: usize) -> T {
+        self.place(position).copied().unwrap_or(T::ZERO)
+    }
+
+    fn from_fn(mut coefficient: impl FnMut(usize) -> T) -> Self {
+        let (mark, first) = (7, coefficient(0));
+        let last = coefficient(1);
+        Backwards { mark, last, first }
+    }
+
+    fn place(&self, position: usize) -> Option<&T> {
+        [&self.first, &self.last].get(position).copied()
+    }
+}
+
+impl<T: Scalar> Sub for Backwards<T> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Backwards::from_fn(|position| self.at(position) - other.at(position))
+    }
+}
+
+#[test]
+fn elements_of_another_layout_are_read_and_written_as_they_say() {
+    on_every_target(|| {
+        for len in LENGTHS {
+            let a = elements::<Backwards<f32>>(len, 22);
+            let b = elements::<Backwards<f32>>(len, 23);
+            let mut out = b.clone();
+            slices::minus(&a, &b, &mut out).unwrap();
+            let each: Vec<_> = a.iter().zip(&b).map(|(a, b)| *a - *b).collect();
+            assert_eq!(out, each);
+        }
     });
 }
 
