@@ -96,7 +96,7 @@ mod contestants {
         let [a, b, c] = motion.translation.map(T::of);
         let o = T::of(0.0);
         let rotation = Motor::new_unchecked(o, o, o, -x, o, -y, -z, w);
-        rotation.compose(&Motor::from_translation(a, b, c))
+        Motor::from_translation(a, b, c).compose(&rotation)
     }
 
     fn coordinates<T: Number>(p: &Point<T>) -> Vec<f64> {
@@ -128,7 +128,7 @@ mod contestants {
             NAME,
             data.motions[0].iter().map(motor::<T>).collect(),
             data.motions[1].iter().map(motor::<T>).collect(),
-            |a, b| b.compose(&a),
+            |a, b| a.compose(&b),
             |m| corners(|x| coordinates(&m.transform(&point(x)))),
         )
     }
