@@ -33,6 +33,9 @@ fn unit_motor() -> Unit<Motor<Rational>> {
     Unit::promised(Translator::new(a, b, c) * rotor)
 }
 
+/// How a slice is moved by a versor, or by the one of norm 1, into another.
+type Way<V, X> = fn(V, Unit<V>, &[X], &mut [X]);
+
 /// Asserts that all ways of moving slices move each element as it is moved alone.
 fn assert_moved_alike<V, X>(versor: V, unit: Unit<V>)
 where
@@ -43,7 +46,7 @@ where
         let objects = elements::<X>(len);
         let expected: Vec<X> = objects.iter().map(|x| versor.apply_divided(*x)).collect();
         let expected_of_unit: Vec<X> = objects.iter().map(|x| unit.apply(*x)).collect();
-        let ways: [(&str, fn(V, Unit<V>, &[X], &mut [X]), &[X]); 6] = [
+        let ways: [(&str, Way<V, X>, &[X]); 6] = [
             (
                 "versor",
                 |versor, _, objects, images| {
