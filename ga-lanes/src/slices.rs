@@ -6,7 +6,7 @@
 //! wider shuffles gain nothing). Nothing is allocated. Where several operations follow one another,
 //! a [`Batch`](crate::Batch) is faster, which transposes once.
 //!
-//! Either operand is a slice, or [`One`](crate::One) element that meets all of the other.
+//! Either operand is a slice, or [`One`] element that meets all of the other.
 //!
 //! ```
 //! use ga_lanes::{One, slices};
