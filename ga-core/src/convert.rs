@@ -46,7 +46,7 @@ where
 }
 
 /// The part of one grade.
-#[inline]
+#[inline(always)]
 pub fn grade<X: Element>(x: X, grade: u32) -> X {
     X::from_fn(|i| {
         if X::BLADES[i].0.grade() == grade {
@@ -58,7 +58,7 @@ pub fn grade<X: Element>(x: X, grade: u32) -> X {
 }
 
 /// The coefficients of `wide` that `Narrow` stores; the others are dropped.
-#[inline]
+#[inline(always)]
 pub fn pick<Wide, Narrow>(wide: Wide) -> Narrow
 where
     Wide: Element,
@@ -92,7 +92,7 @@ where
 
 /// The coefficients of `x` that `Narrow` stores, each times a factor; of the others, the factor
 /// is known to make the fixed ones of `Narrow`.
-#[inline]
+#[inline(always)]
 pub fn multiple<X, Narrow>(x: X, factor: X::Number) -> Narrow
 where
     X: Element,
@@ -106,7 +106,7 @@ where
 }
 
 /// The coefficient of a blade in increasing order, stored or fixed.
-#[inline]
+#[inline(always)]
 pub(crate) fn coefficient<X: Element>(x: &X, blade: Blade) -> X::Number
 where
     X::Number: Field,
@@ -140,7 +140,7 @@ where
     })
 }
 
-#[inline]
+#[inline(always)]
 pub(crate) fn signed<T: Scalar>(sign: i8, value: T) -> T {
     if sign < 0 { -value } else { value }
 }

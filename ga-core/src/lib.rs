@@ -36,7 +36,7 @@ pub use metric::{Metric, MetricError};
 pub use ops::Element;
 pub use product::Product;
 pub use rational::Rational;
-pub use scalar::{Dual, Field, Real, Scalar};
+pub use scalar::{Computation, Dual, Field, Real, Scalar};
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Lanes, Precision};
 pub use unit::Unit;

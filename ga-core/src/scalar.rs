@@ -100,6 +100,20 @@ pub trait Field: Scalar + Div<Output = Self> + DivAssign {
     }
 }
 
+/// A computation that can be put into a function of its own, with [`Real::outlined`].
+pub trait Computation {
+    /// What it gives.
+    type Output;
+    /// The computation. Lanes want it inlined whatever its length.
+    fn run(self) -> Self::Output;
+}
+
+/// A computation in a function of its own.
+#[inline(never)]
+fn outlined<C: Computation>(computation: C) -> C::Output {
+    computation.run()
+}
+
 /// A [`Field`] with roots and transcendental functions: what norms, exponentials and
 /// logarithms need.
 ///
@@ -159,4 +173,11 @@ pub trait Real: Field {
     fn all_le(self, other: Self) -> bool;
     /// Lane by lane: `then` where `self ≤ bound`, `otherwise` elsewhere.
     fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self;
+
+    /// A computation that is seldom needed, in a function of its own: it leaves the registers to
+    /// what is always needed, and uses the same instructions.
+    #[inline(always)]
+    fn outlined<C: Computation>(computation: C) -> C::Output {
+        outlined(computation)
+    }
 }

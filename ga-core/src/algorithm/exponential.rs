@@ -10,7 +10,8 @@ use crate::Real;
 ///
 /// Exact to the rounding of the bivector, whatever its planes: null, nearly null, isoclinic. Not
 /// finite where the fourth power of a coefficient overflows.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn bivector_exponential<T, A, Q, R>(bivector: A) -> R
 where
     T: Real,
@@ -22,7 +23,8 @@ where
 }
 
 /// The exponential of a bivector, by grades.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub(super) fn exponential_parts<T, A, Q>(bivector: A) -> Parts<T, A, Q>
 where
     T: Real,
@@ -45,7 +47,8 @@ where
 
 /// The exponential of a bivector with `W² = 0`, as generators of motors are: C(a + W) is
 /// C(a) + C′(a) W, and C′ = S/2.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn motor_exponential<T, A, Q, R>(bivector: A) -> R
 where
     T: Real,
@@ -60,7 +63,7 @@ where
 }
 
 /// `c + c′ W + (s + s′ W) B`.
-#[inline]
+#[inline(always)]
 fn assembled<T, A, Q>(bivector: A, outer: Q, cosh: [T; 2], sinhc: [T; 2]) -> Parts<T, A, Q>
 where
     T: Real,

@@ -1,7 +1,7 @@
 //! Logarithms and square roots of versors in any dimension: by inverse scaling and squaring.
 
 use super::normalise::rounding_of;
-use super::parts::{finite, part, scalar, sum_of};
+use super::parts::{finite, part, scalar, sum_of_sizes, sum_of_squares};
 use super::principal_root::{
     Evens, MOST_STEPS, polar_factor, principal_root, step_products, times, tolerance,
 };
@@ -68,8 +68,8 @@ where
 fn unit<M: Evens>(versor: M) -> Option<(M, M::Number)> {
     let product = times(versor, versor.reverse());
     let square = convert::coefficient(&product, Blade::SCALAR);
-    let rest = sum_of(&(product - scalar(square)), M::Number::abs);
-    let rounding = rounding_of(sum_of(&versor, |c| c * c));
+    let rest = sum_of_sizes(&(product - scalar(square)));
+    let rounding = rounding_of(sum_of_squares(&versor));
     if !(rounding.is_finite() && square.is_finite()) {
         return None;
     }
@@ -92,7 +92,7 @@ where
     A: Element<Number = M::Number>,
 {
     let half = M::Number::from_ratio(1, 2);
-    let size = |x: &M| sum_of(x, M::Number::abs);
+    let size = |x: &M| sum_of_sizes(x);
     let mut root = unit;
     let mut roots = 0;
     while !size(&(root - scalar(M::Number::ONE))).all_le(half) {
@@ -124,8 +124,8 @@ fn inverse_sine<M: Evens>(sine: M) -> M {
         power = times(power, square).geometric(M::Number::from_ratio(1 - 2 * n, 2 * n));
         let term = power.geometric(M::Number::from_ratio(1, 2 * n + 1));
         sum = sum + term;
-        let negligible = sum_of(&sum, M::Number::abs) * M::Number::from_f64(1e-18);
-        if sum_of(&term, M::Number::abs).all_le(negligible) {
+        let negligible = sum_of_sizes(&sum) * M::Number::from_f64(1e-18);
+        if sum_of_sizes(&term).all_le(negligible) {
             break;
         }
     }

@@ -1,12 +1,12 @@
 //! Principal logarithms of even versors in up to five dimensions.
 
 use super::exponential::exponential_parts;
-use super::normalise::Commutators;
+use super::normalise::{Commutators, OverNorm};
 use super::parts::{Bivectors, Fourvectors, Parts, combined, finite, outer_square, turned};
-use super::separation::{Separation, Values, nearness};
+use super::separation::{Separation, Turn, TurnFunctions, Values, nearness};
 use super::study::Study;
-use crate::Real;
 use crate::ops::Element;
+use crate::{Computation, Real};
 
 /// The principal logarithm of a versor over its norm: the bivector B = f(c) A with
 /// `R = c + A`, c = ⟨R⟩ + ⟨R⟩₄ a Study number and f(cosh z) = z / sinh z.
@@ -14,7 +14,8 @@ use crate::ops::Element;
 /// Its turns are |θ₁| + |θ₂| ≤ π. `None` where no real logarithm exists, where it is not unique
 /// (R = −1), and for what is no versor. `commutators` are of
 /// the parts of R.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn logarithm<T, X, A, Q>(
     versor: X,
     commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -28,12 +29,16 @@ where
     let parts = Parts::<T, A, Q>::of(versor);
     match parts.is_unit(&commutators) {
         true => of_unit_parts(parts),
-        false => of_unit_parts(parts.over_norm(&commutators)?.0),
+        false => {
+            let (unit, _) = T::outlined(OverNorm(parts, &commutators))?;
+            of_unit_parts(unit)
+        }
     }
 }
 
 /// The logarithm of a versor that is promised to be a unit one.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
 where
     T: Real,
@@ -44,38 +49,71 @@ where
     of_unit_parts(Parts::<T, A, Q>::of(versor))
 }
 
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 fn of_unit_parts<T, A, Q>(unit: Parts<T, A, Q>) -> Option<A>
 where
     T: Real,
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let separation = Separation::of(unit);
-    let half = T::from_ratio(1, 2);
-    let logarithm = separation.evaluate(
-        |above| {
-            let factor = Study::log_factor(above.scaled(half).sqrt());
-            Values {
-                even: factor,
-                factor,
-            }
-        },
-        |turn| {
-            let factor = turn.cosine.log_factor(turn.square)?;
-            Some(Values {
-                even: factor,
-                factor,
-            })
-        },
-    )?;
-    let back = || exponential_parts(logarithm.bivector);
-    unit.is_led_back_to(back).then_some(())?;
+    let logarithm = Separation::of(unit).evaluate::<LogarithmFactor>()?;
+    if !unit.is_plain() {
+        let back = T::outlined(LeadsBack {
+            unit,
+            logarithm: logarithm.bivector,
+        });
+        back.then_some(())?;
+    }
     finite(logarithm.bivector)
+}
+
+/// The factor f, and as g too, which is not asked for.
+struct LogarithmFactor;
+
+impl<T: Real> TurnFunctions<T> for LogarithmFactor {
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn together(above: Study<T>) -> Values<Study<T>> {
+        let factor = Study::log_factor(above.scaled(T::from_ratio(1, 2)).sqrt());
+        Values {
+            even: factor,
+            factor,
+        }
+    }
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn apart(turn: Turn<T>) -> Option<Values<T>> {
+        let factor = turn.cosine.log_factor(turn.square)?;
+        Some(Values {
+            even: factor,
+            factor,
+        })
+    }
+}
+
+/// Asks whether a logarithm leads back to its versor.
+struct LeadsBack<T, A, Q> {
+    unit: Parts<T, A, Q>,
+    logarithm: A,
+}
+
+impl<T, A, Q> Computation for LeadsBack<T, A, Q>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    type Output = bool;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> bool {
+        self.unit.is_near(exponential_parts(self.logarithm))
+    }
 }
 
 /// The logarithm of a versor whose four-vector part squares to zero, as that of a motor does:
 /// there f(c + V) = f(c) + f′(c) V.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn motor_logarithm<T, X, A, Q>(
     versor: X,
     commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -89,14 +127,17 @@ where
     let parts = Parts::<T, A, Q>::of(versor);
     match parts.is_unit(&commutators) {
         true => motor_of_unit_parts(parts),
-        // Apart, so that a unit versor stays in registers.
-        false => motor_over_norm(parts, &commutators),
+        false => {
+            let (unit, _) = T::outlined(OverNorm(parts, &commutators))?;
+            motor_of_unit_parts(unit)
+        }
     }
 }
 
 /// The logarithm of a versor that is promised to be a unit one, and whose four-vector part
 /// squares to zero.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn motor_logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
 where
     T: Real,
@@ -105,19 +146,6 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     motor_of_unit_parts(Parts::<T, A, Q>::of(versor))
-}
-
-#[inline(never)]
-fn motor_over_norm<T, A, Q>(
-    parts: Parts<T, A, Q>,
-    commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
-) -> Option<A>
-where
-    T: Real,
-    A: Bivectors<Number = T>,
-    Q: Fourvectors<A, Number = T>,
-{
-    motor_of_unit_parts(parts.over_norm(commutators)?.0)
 }
 
 /// f(c + V) A = f A + f′ V A.
@@ -131,7 +159,7 @@ where
     let square = unit.bivector.scalar_product(unit.bivector);
     let far = T::from_ratio(-1, 2).all_le(unit.scalar);
     if !(far || T::ZERO.all_le(nearness(unit.scalar, square))) {
-        return motor_near_the_edge(unit);
+        return T::outlined(MotorNearTheEdge(unit));
     }
     let (factor, slope) = unit.scalar.log_factor_slope(square)?;
     let turned = turned(unit.fourth, unit.bivector);
@@ -139,33 +167,35 @@ where
 }
 
 /// The same where lanes may be near −1.
-#[inline(never)]
-fn motor_near_the_edge<T, A, Q>(unit: Parts<T, A, Q>) -> Option<A>
+struct MotorNearTheEdge<T, A, Q>(Parts<T, A, Q>);
+
+impl<T, A, Q> Computation for MotorNearTheEdge<T, A, Q>
 where
     T: Real,
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    let Separation {
-        cosine,
-        bivector,
-        fourth,
-        turned: image,
-        near,
-        ..
-    } = Separation::of(unit);
-    let (factor, slope) = cosine
-        .scalar
-        .log_factor_slope(bivector.scalar_product(bivector))?;
-    let logarithm = combined(bivector, factor, image, slope);
-    // The two terms are large and nearly cancel in the part that B∧B = 2f V knows.
-    let square = logarithm.scalar_product(logarithm);
-    let missing = fourth.geometric(factor + factor) - outer_square(logarithm);
-    let share = near.select_le(T::ZERO, T::from_ratio(1, 2) / square, T::ZERO);
-    finite(combined(
-        logarithm,
-        T::ONE,
-        turned(missing, logarithm),
-        share,
-    ))
+    type Output = Option<A>;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Option<A> {
+        let Separation {
+            cosine,
+            bivector,
+            fourth,
+            turned: image,
+            near,
+            ..
+        } = Separation::of(self.0);
+        let (factor, slope) = cosine
+            .scalar
+            .log_factor_slope(bivector.scalar_product(bivector))?;
+        let logarithm = combined(bivector, factor, image, slope);
+        // The two terms are large and nearly cancel in the part that B∧B = 2f V knows.
+        let square = logarithm.scalar_product(logarithm);
+        let missing = fourth.geometric(factor + factor) - outer_square(logarithm);
+        let share = near.select_le(T::ZERO, T::from_ratio(1, 2) / square, T::ZERO);
+        let turned = turned(missing, logarithm);
+        finite(combined(logarithm, T::ONE, turned, share))
+    }
 }

@@ -1,9 +1,11 @@
 //! The versor nearest to an even element: (X X̃)^(−1/2) X.
 
-use super::parts::{Bivectors, Fourvectors, Parts, Versors, outer_square, sum_of, turned};
+use super::parts::{
+    Bivectors, Fourvectors, Parts, Versors, outer_square, sum_of_sizes, sum_of_squares, turned,
+};
 use super::study::Study;
 use crate::ops::{self, Element};
-use crate::{Field, Real, Scalar};
+use crate::{Computation, Field, Real, Scalar};
 
 /// The part of X X̃ that is no number, against the number, that is taken for drift.
 const DRIFT: f64 = 1e-6;
@@ -24,7 +26,8 @@ pub struct Commutators<F, G> {
 /// X X̃ of a versor is a number but for rounding. With a negative one, rounding alone would
 /// decide whether there is a root, and in which direction.
 /// `commutators` are of the bivector and the four-vector part.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn renormalise<T, X, A, Q, R>(
     element: X,
     commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -45,7 +48,8 @@ where
 }
 
 /// An element whose X X̃ is a number, over its norm; `None` where that is no positive number.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn over_norm<X>(element: X) -> Option<X>
 where
     X: Element<Number: Real>
@@ -68,7 +72,7 @@ impl<T: Real, Q: Element<Number = T>> NormSquared<T, Q> {
     /// How far it is from 1.
     #[inline(always)]
     fn deviation(&self) -> T {
-        (self.scalar - T::ONE).abs() + sum_of(&self.fourth, T::abs)
+        (self.scalar - T::ONE).abs() + sum_of_sizes(&self.fourth)
     }
 }
 
@@ -79,7 +83,8 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     /// X X̃ = x₀² − X₂² + X₄² + 2x₀X₄ + (X₂X₄ − X₄X₂).
-    #[inline]
+    #[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn norm_squared<G>(
         &self,
         commutators: &Commutators<impl Fn(A, Q) -> Q, G>,
@@ -93,6 +98,7 @@ where
     }
 
     /// X over the square root of X X̃, from the left.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn over_root(
         self,
         norm: NormSquared<T, Q>,
@@ -123,14 +129,15 @@ where
     /// A versor whose R R̃ is 1 up to rounding is left as it is: of a large boost R R̃ is a small
     /// difference of large numbers, and says less about its norm than the promise to be unit.
     /// A part of R R̃ that is no number but less than a millionth of it is drift, and removed.
-    #[inline]
+    #[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub(super) fn unit(
         self,
         commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
     ) -> Option<(Self, T)> {
         match self.is_unit(commutators) {
             true => Some((self, T::ONE)),
-            false => self.over_norm(commutators),
+            false => T::outlined(OverNorm(self, commutators)),
         }
     }
 
@@ -139,25 +146,28 @@ where
     pub(super) fn is_unit<G>(&self, commutators: &Commutators<impl Fn(A, Q) -> Q, G>) -> bool {
         let norm = self.norm_squared(commutators);
         let deviation = norm.deviation();
-        let is_rounding = || {
+        if !deviation.all_le(rounding_of(T::ONE)) {
             let rounding = rounding_of(self.size());
-            deviation.all_le(rounding) && rounding.is_finite()
-        };
-        let constant = |value: T, expected: T| value.at_value(expected) == expected;
-        (deviation.all_le(rounding_of(T::ONE)) || is_rounding())
-            && constant(norm.scalar, T::ONE)
-            && (0..Q::BLADES.len()).all(|i| constant(norm.fourth.at(i), T::ZERO))
+            if !(deviation.all_le(rounding) && rounding.is_finite()) {
+                return false;
+            }
+        }
+        let mut constant = norm.scalar.at_value(T::ONE) == T::ONE;
+        for i in 0..Q::BLADES.len() {
+            constant &= norm.fourth.at(i).at_value(T::ZERO) == T::ZERO;
+        }
+        constant
     }
 
     /// The sum of the squares of the coefficients.
     #[inline(always)]
     fn size(&self) -> T {
-        let squares = |x: T| x * x;
-        squares(self.scalar) + sum_of(&self.bivector, squares) + sum_of(&self.fourth, squares)
+        let parts = sum_of_squares(&self.bivector) + sum_of_squares(&self.fourth);
+        self.scalar * self.scalar + parts
     }
 
     /// The unit versor and its norm, where the norm is not 1, or not in all lanes.
-    #[inline(never)]
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub(super) fn over_norm(
         self,
         commutators: &Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -168,26 +178,51 @@ where
             return None;
         }
         let deviation = norm.deviation();
-        let is_unit =
-            |value: T, expected: T| deviation.select_le(rounding, value.at_value(expected), value);
+        let one = norm.scalar.at_value(T::ONE);
         let exact = NormSquared {
-            scalar: is_unit(norm.scalar, T::ONE),
-            fourth: Q::from_fn(|i| is_unit(norm.fourth.at(i), T::ZERO)),
+            scalar: deviation.select_le(rounding, one, norm.scalar),
+            fourth: Q::from_fn(|i| {
+                let value = norm.fourth.at(i);
+                deviation.select_le(rounding, value.at_value(T::ZERO), value)
+            }),
         };
         let drift = norm.scalar * T::from_f64(DRIFT);
-        let rest = sum_of(&norm.fourth, T::abs);
+        let rest = sum_of_sizes(&norm.fourth);
         if !(rest.all_le(drift + rounding) && norm.scalar.is_invertible()) {
             return None;
         }
         let length = exact.scalar.sqrt();
-        length
-            .is_finite()
-            .then(|| (self.over_root(exact, commutators), length))
+        if !length.is_finite() {
+            return None;
+        }
+        Some((self.over_root(exact, commutators), length))
+    }
+}
+
+/// Takes a versor over its norm.
+pub(super) struct OverNorm<'c, T, A, Q, F, G>(
+    pub(super) Parts<T, A, Q>,
+    pub(super) &'c Commutators<F, G>,
+);
+
+impl<T, A, Q, F, G> Computation for OverNorm<'_, T, A, Q, F, G>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+    F: Fn(A, Q) -> Q,
+    G: Fn(Q, Q) -> A,
+{
+    type Output = Option<(Parts<T, A, Q>, T)>;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Self::Output {
+        self.0.over_norm(self.1)
     }
 }
 
 /// How far X X̃ may be from 1 by rounding, for squares of coefficients that add up to `size`.
-#[inline]
+#[inline(always)]
 pub(crate) fn rounding_of<T: Real>(size: T) -> T {
     size * T::EPSILON * T::from_integer(64)
 }

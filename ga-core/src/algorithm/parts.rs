@@ -80,7 +80,7 @@ pub struct Parts<T, A, Q> {
 }
 
 /// The part of one grade, as a type that holds it.
-#[inline]
+#[inline(always)]
 pub(super) fn part<M, Part>(element: M, grade: u32) -> Part
 where
     M: Element<Number: Real>,
@@ -90,7 +90,7 @@ where
 }
 
 /// The outer square A∧A of a bivector.
-#[inline]
+#[inline(always)]
 pub(super) fn outer_square<A: Bivectors<Number: Real>, Q>(bivector: A) -> Q
 where
     Q: Element<Number = A::Number>,
@@ -99,7 +99,7 @@ where
 }
 
 /// The product V A of a four-vector and a bivector that commute: a bivector.
-#[inline]
+#[inline(always)]
 pub(super) fn turned<A, Q>(fourth: Q, bivector: A) -> A
 where
     A: Element<Number = Q::Number>,
@@ -115,7 +115,7 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     /// The parts of an element; other grades are dropped.
-    #[inline]
+    #[inline(always)]
     pub fn of<R: Element<Number = T>>(versor: R) -> Self {
         Parts {
             scalar: convert::coefficient(&versor, Blade::SCALAR),
@@ -124,31 +124,35 @@ where
         }
     }
 
-    /// Whether what was computed from this unit versor leads back to it, up to what an
-    /// ill-conditioned function may lose: somewhat more than half of the digits of the largest
-    /// coefficients.
-    ///
-    /// It is asked where the scalar is below −1. Minus a boost is there, whose planes are left
-    /// open: the rounding of its four-vector part would choose them, and not well.
-    pub(super) fn is_led_back_to(self, back: impl FnOnce() -> Self) -> bool {
-        if (-T::ONE - T::EPSILON.sqrt()).all_le(self.scalar) {
-            return true;
-        }
-        let back = back();
-        let sizes = |parts: &Self| {
-            let bivector = sum_of(&parts.bivector, |x| x.abs());
-            parts.scalar.abs() + bivector + sum_of(&parts.fourth, |x| x.abs())
-        };
+    /// Whether what is computed from this unit versor needs no proof that it leads back to it: the
+    /// scalar is not below −1. Minus a boost is there, whose planes are left open: the rounding of
+    /// its four-vector part would choose them, and not well.
+    #[inline(always)]
+    pub(super) fn is_plain(&self) -> bool {
+        (-T::ONE - T::EPSILON.sqrt()).all_le(self.scalar)
+    }
+
+    /// Whether another versor is this one up to what an ill-conditioned function may lose: somewhat
+    /// more than half of the digits of the largest coefficients.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    pub(super) fn is_near(self, back: Self) -> bool {
         let difference = Parts {
             scalar: self.scalar - back.scalar,
             bivector: self.bivector - back.bivector,
             fourth: self.fourth - back.fourth,
         };
         let tolerance = T::EPSILON.sqrt() * T::from_integer(16);
-        sizes(&difference).all_le(sizes(&self) * tolerance)
+        difference.sizes().all_le(self.sizes() * tolerance)
+    }
+
+    /// The sum of the absolute values of the coefficients.
+    #[inline(always)]
+    fn sizes(&self) -> T {
+        self.scalar.abs() + sum_of_sizes(&self.bivector) + sum_of_sizes(&self.fourth)
     }
 
     /// The product of a versor with itself, whose four-vector and bivector commute.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub(super) fn squared(self) -> Self {
         let Parts {
             scalar,
@@ -166,14 +170,14 @@ where
     }
 
     /// The sum of the parts, if it is finite.
-    #[inline]
+    #[inline(always)]
     pub(super) fn finite_sum<R: Versors<A, Q, Number = T>>(self) -> Option<R> {
         let sum: R = self.sum();
         finite(sum)
     }
 
     /// The sum of the parts.
-    #[inline]
+    #[inline(always)]
     pub(super) fn sum<R: Versors<A, Q, Number = T>>(self) -> R {
         R::from_fn(|i| {
             let (blade, sign) = R::BLADES[i];
@@ -189,24 +193,39 @@ where
 }
 
 /// The sum of multiples of two elements.
-#[inline]
+#[inline(always)]
 pub(super) fn combined<A: Element>(one: A, factor: A::Number, other: A, share: A::Number) -> A {
     A::from_fn(|i| (one.at(i) * factor).plus_product(other.at(i), share))
 }
 
 /// The element, if all its coefficients are finite.
-#[inline]
+#[inline(always)]
 pub(super) fn finite<M: Element<Number: Real>>(element: M) -> Option<M> {
-    (0..M::BLADES.len())
-        .all(|i| element.at(i).is_finite())
-        .then_some(element)
+    // No closures here and below: they would not be inlined into lanes.
+    for i in 0..M::BLADES.len() {
+        if !element.at(i).is_finite() {
+            return None;
+        }
+    }
+    Some(element)
 }
 
-/// The sum of a function of the coefficients.
-#[inline]
-pub(super) fn sum_of<M: Element>(
-    element: &M,
-    function: impl Fn(M::Number) -> M::Number,
-) -> M::Number {
-    (0..M::BLADES.len()).fold(M::Number::ZERO, |sum, i| sum + function(element.at(i)))
+/// The sum of the absolute values of the coefficients.
+#[inline(always)]
+pub(super) fn sum_of_sizes<M: Element<Number: Real>>(element: &M) -> M::Number {
+    let mut sum = M::Number::ZERO;
+    for i in 0..M::BLADES.len() {
+        sum += element.at(i).abs();
+    }
+    sum
+}
+
+/// The sum of the squares of the coefficients.
+#[inline(always)]
+pub(super) fn sum_of_squares<M: Element<Number: Real>>(element: &M) -> M::Number {
+    let mut sum = M::Number::ZERO;
+    for i in 0..M::BLADES.len() {
+        sum += element.at(i) * element.at(i);
+    }
+    sum
 }

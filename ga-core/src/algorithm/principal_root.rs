@@ -4,7 +4,7 @@
 use core::ops::{Add, Sub};
 
 use super::inverse::{adjugate, adjugate_products};
-use super::parts::{scalar, sum_of};
+use super::parts::{scalar, sum_of_sizes};
 use crate::ops::{Element, Geometric, Reverse};
 use crate::{Field, Real, Scalar};
 
@@ -69,7 +69,7 @@ pub(super) fn polar_factor<M: Evens>(element: M) -> Option<M> {
     let mut before = M::Number::ONE;
     for _ in 0..MOST_STEPS {
         let excess = times(x.reverse(), x) - one;
-        let size = sum_of(&excess, M::Number::abs);
+        let size = sum_of_sizes(&excess);
         if !size.is_finite() {
             return None;
         }

@@ -4,9 +4,11 @@
 //! four-vector part say nothing about the distance from π, but the bivector part does: its
 //! component of that turn is as long as the sine.
 
+use core::marker::PhantomData;
+
 use super::parts::{Bivectors, Fourvectors, Parts, outer_square, turned};
 use super::study::Study;
-use crate::Real;
+use crate::{Computation, Real};
 
 /// A unit versor c + A, where c = ⟨R⟩ + V is a Study number.
 pub(super) struct Separation<T, A, Q> {
@@ -27,7 +29,7 @@ pub(super) struct Separation<T, A, Q> {
 }
 
 /// Not above zero near −1, for the scalar and the square of the bivector of a unit versor.
-#[inline]
+#[inline(always)]
 pub(super) fn nearness<T: Real>(scalar: T, square: T) -> T {
     let half = T::from_ratio(1, 2);
     let (short, opposed) = (square.abs() - half * half, scalar + half);
@@ -42,11 +44,30 @@ pub(super) struct Turn<T> {
     pub square: T,
 }
 
+impl<T: Real> Turn<T> {
+    /// The turn in lanes that are near the edge, none in the others.
+    #[inline(always)]
+    fn harmless_above(self, margin: T) -> Self {
+        Turn {
+            cosine: margin.select_le(T::ZERO, self.cosine, T::ONE),
+            square: margin.select_le(T::ZERO, self.square, T::ZERO),
+        }
+    }
+}
+
 /// The values of g and f.
 #[derive(Clone, Copy)]
 pub(super) struct Values<N> {
     pub even: N,
     pub factor: N,
+}
+
+/// Functions g and f of a turn.
+pub(super) trait TurnFunctions<T> {
+    /// Their values for both turns at a time, given 1 + c.
+    fn together(above: Study<T>) -> Values<Study<T>>;
+    /// Their values for one turn.
+    fn apart(turn: Turn<T>) -> Option<Values<T>>;
 }
 
 /// g + f A.
@@ -64,6 +85,7 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     /// Looks at a unit versor.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub fn of(unit: Parts<T, A, Q>) -> Self {
         let Parts {
             scalar, bivector, ..
@@ -97,6 +119,7 @@ where
     }
 
     /// Not above zero where 1 + c has one small and one larger real component.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn margin(above: Study<T>) -> T {
         let root = above
             .square
@@ -109,57 +132,43 @@ where
         root.select_le(T::ZERO, T::ONE, larger)
     }
 
-    /// Evaluates `g + f A` for functions g and f of the Study number c: by `series`, or where one
-    /// turn is near π by `closed` on each of both turns.
-    #[inline]
-    pub fn evaluate(
-        &self,
-        series: impl FnOnce(Study<T>) -> Values<Study<T>>,
-        closed: impl Fn(Turn<T>) -> Option<Values<T>>,
-    ) -> Option<Evaluated<T, A>> {
+    /// Evaluates `g + f A` for functions g and f of the Study number c: together, or where one turn
+    /// is near π for each of both turns.
+    #[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    pub fn evaluate<F: TurnFunctions<T>>(self) -> Option<Evaluated<T, A>> {
         if T::ZERO.all_le(self.margin) {
-            return Some(self.together(series(self.above)));
+            return Some(self.together(F::together(self.above)));
         }
-        let root = self.cosine.square.sqrt();
-        let components = self.components(root);
-        if self.margin.all_le(T::ZERO) {
-            let values = [closed(components[0].1)?, closed(components[1].1)?];
-            return Some(self.apart(root, components, values));
-        }
-        // Some lanes are near the edge: both ways, and a harmless turn for the other lanes.
-        let harmless = |turn: Turn<T>| Turn {
-            cosine: self.margin.select_le(T::ZERO, turn.cosine, T::ONE),
-            square: self.margin.select_le(T::ZERO, turn.square, T::ZERO),
-        };
-        let turns = components.map(|(_, turn)| harmless(turn));
-        let values = [closed(turns[0])?, closed(turns[1])?];
-        let apart = self.apart(root, components, values);
-        let together = self.together(series(self.above));
-        Some(Evaluated {
-            even: apart.even.select_le(self.margin, T::ZERO, together.even),
-            bivector: A::from_fn(|i| {
-                let (apart, together) = (apart.bivector.at(i), together.bivector.at(i));
-                self.margin.select_le(T::ZERO, apart, together)
-            }),
+        T::outlined(EvaluateNearTheEdge {
+            separation: self,
+            functions: PhantomData::<F>,
         })
     }
 
     /// The components ½(1 ± V/|V|) A of the bivector, with their turns.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn components(&self, root: T) -> [(A, Turn<T>); 2] {
         let half = T::from_ratio(1, 2);
         let image = self.turned.geometric(half / root);
-        [T::ONE, -T::ONE].map(|sign| {
-            let component = self.bivector.geometric(half) + image.geometric(sign);
-            let square = component.scalar_product(component);
-            let turn = Turn {
-                cosine: self.cosine.scalar + sign * root,
-                square: square + square,
-            };
-            (component, turn)
-        })
+        let own = self.bivector.geometric(half);
+        let (one, other) = (own + image, own - image);
+        let squares = [one.scalar_product(one), other.scalar_product(other)];
+        let turns = [
+            Turn {
+                cosine: self.cosine.scalar + root,
+                square: squares[0] + squares[0],
+            },
+            Turn {
+                cosine: self.cosine.scalar - root,
+                square: squares[1] + squares[1],
+            },
+        ];
+        [(one, turns[0]), (other, turns[1])]
     }
 
     /// g + f A from values on Study numbers.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn together(&self, values: Values<Study<T>>) -> Evaluated<T, A> {
         let Values { even, factor } = values;
         Evaluated {
@@ -169,6 +178,7 @@ where
     }
 
     /// g + f A from values on the two components.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn apart(
         &self,
         root: T,
@@ -183,5 +193,48 @@ where
             ),
             bivector: one.geometric(plus.factor) + other.geometric(minus.factor),
         }
+    }
+}
+
+/// Evaluates functions where one turn is near π, in some lanes or in all.
+struct EvaluateNearTheEdge<T, A, Q, F> {
+    separation: Separation<T, A, Q>,
+    functions: PhantomData<F>,
+}
+
+impl<T, A, Q, F> Computation for EvaluateNearTheEdge<T, A, Q, F>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+    F: TurnFunctions<T>,
+{
+    type Output = Option<Evaluated<T, A>>;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Self::Output {
+        let separation = &self.separation;
+        let margin = separation.margin;
+        let root = separation.cosine.square.sqrt();
+        let components = separation.components(root);
+        if margin.all_le(T::ZERO) {
+            let values = [F::apart(components[0].1)?, F::apart(components[1].1)?];
+            return Some(separation.apart(root, components, values));
+        }
+        // Some lanes are near the edge: both ways, and a harmless turn for the other lanes.
+        let turns = [
+            components[0].1.harmless_above(margin),
+            components[1].1.harmless_above(margin),
+        ];
+        let values = [F::apart(turns[0])?, F::apart(turns[1])?];
+        let apart = separation.apart(root, components, values);
+        let together = separation.together(F::together(separation.above));
+        Some(Evaluated {
+            even: apart.even.select_le(margin, T::ZERO, together.even),
+            bivector: A::from_fn(|i| {
+                let (apart, together) = (apart.bivector.at(i), together.bivector.at(i));
+                margin.select_le(T::ZERO, apart, together)
+            }),
+        })
     }
 }

@@ -2,7 +2,8 @@
 
 use super::normalise::Commutators;
 use super::parts::{Bivectors, Fourvectors, Parts, Versors};
-use super::separation::{Separation, Values};
+use super::separation::{Separation, Turn, TurnFunctions, Values};
+use super::study::Study;
 use crate::Real;
 use crate::ops::Element;
 
@@ -12,7 +13,8 @@ use crate::ops::Element;
 /// Its square is R, norm included. `None` where no real logarithm exists or it is not unique,
 /// and for what is no versor. `commutators` are of
 /// the parts of R.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn square_root<T, X, A, Q, R>(
     versor: X,
     commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -26,34 +28,16 @@ where
 {
     let (unit, norm) = Parts::<T, A, Q>::of(versor).unit(&commutators)?;
     let separation = Separation::of(unit);
-    let half = T::from_ratio(1, 2);
-    let root = separation.evaluate(
-        |above| {
-            let cosine = above.scaled(half).sqrt();
-            Values {
-                even: cosine,
-                factor: cosine.inverse().scaled(half),
-            }
-        },
-        |turn| {
-            // 1 + c cancels for negative c; (1 + c)(1 − c) = −A² does not.
-            let quotient = -turn.square / (T::ONE - turn.cosine);
-            let above = turn
-                .cosine
-                .select_le(T::ZERO, quotient, turn.cosine + T::ONE);
-            let cosine = (above * half).sqrt();
-            Some(Values {
-                even: cosine,
-                factor: half / cosine,
-            })
-        },
-    )?;
+    let fourth = separation.fourth;
+    let root = separation.evaluate::<HalfTurn>()?;
     let root = Parts {
         scalar: root.even.scalar,
         bivector: root.bivector,
-        fourth: separation.fourth.geometric(root.even.fourth),
+        fourth: fourth.geometric(root.even.fourth),
     };
-    unit.is_led_back_to(|| root.squared()).then_some(())?;
+    if !unit.is_plain() {
+        unit.is_near(root.squared()).then_some(())?;
+    }
     let length = norm.sqrt();
     Parts {
         scalar: root.scalar * length,
@@ -61,4 +45,34 @@ where
         fourth: root.fourth.geometric(length),
     }
     .finite_sum()
+}
+
+/// The functions h and 1/(2h).
+struct HalfTurn;
+
+impl<T: Real> TurnFunctions<T> for HalfTurn {
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn together(above: Study<T>) -> Values<Study<T>> {
+        let half = T::from_ratio(1, 2);
+        let cosine = above.scaled(half).sqrt();
+        Values {
+            even: cosine,
+            factor: cosine.inverse().scaled(half),
+        }
+    }
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn apart(turn: Turn<T>) -> Option<Values<T>> {
+        let half = T::from_ratio(1, 2);
+        // 1 + c cancels for negative c; (1 + c)(1 − c) = −A² does not.
+        let quotient = -turn.square / (T::ONE - turn.cosine);
+        let above = turn
+            .cosine
+            .select_le(T::ZERO, quotient, turn.cosine + T::ONE);
+        let cosine = (above * half).sqrt();
+        Some(Values {
+            even: cosine,
+            factor: half / cosine,
+        })
+    }
 }

@@ -7,7 +7,7 @@
 
 use core::ops::{Add, Mul};
 
-use crate::{Real, Scalar};
+use crate::{Computation, Real, Scalar};
 
 /// A Study number `scalar + fourth V`, with the square of the four-vector V.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +22,7 @@ pub struct Study<T> {
 
 impl<T: Scalar> Study<T> {
     /// The number with these parts over the same V.
+    #[inline(always)]
     pub fn with(self, scalar: T, fourth: T) -> Self {
         Study {
             scalar,
@@ -31,21 +32,25 @@ impl<T: Scalar> Study<T> {
     }
 
     /// A real number over the same V.
+    #[inline(always)]
     pub fn real(self, scalar: T) -> Self {
         self.with(scalar, T::ZERO)
     }
 
     /// Both parts times a number.
+    #[inline(always)]
     pub fn scaled(self, factor: T) -> Self {
         self.with(self.scalar * factor, self.fourth * factor)
     }
 
     /// The number plus a real one.
+    #[inline(always)]
     pub fn plus(self, scalar: T) -> Self {
         self.with(self.scalar + scalar, self.fourth)
     }
 
     /// p² − q² V², the product with the conjugate p − qV.
+    #[inline(always)]
     pub fn determinant(self) -> T {
         self.scalar * self.scalar - self.fourth * self.fourth * self.square
     }
@@ -53,6 +58,7 @@ impl<T: Scalar> Study<T> {
 
 impl<T: Scalar> Add for Study<T> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.with(self.scalar + other.scalar, self.fourth + other.fourth)
     }
@@ -60,6 +66,7 @@ impl<T: Scalar> Add for Study<T> {
 
 impl<T: Scalar> Mul for Study<T> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.with(
             self.scalar * other.scalar + self.fourth * other.fourth * self.square,
@@ -70,6 +77,7 @@ impl<T: Scalar> Mul for Study<T> {
 
 impl<T: Real> Study<T> {
     /// The inverse (p − qV)/(p² − q² V²); non-finite where there is none.
+    #[inline(always)]
     pub fn inverse(self) -> Self {
         let factor = T::ONE / self.determinant();
         self.with(self.scalar * factor, -self.fourth * factor)
@@ -77,6 +85,7 @@ impl<T: Real> Study<T> {
 
     /// The square root with positive real part, (s + |s|)/√(2(p + |s|)) with
     /// |s| = √(p² − q² V²); not finite where there is none.
+    #[inline(always)]
     pub fn sqrt(self) -> Self {
         let norm = self.determinant().sqrt();
         // p + |s| cancels for negative p; (p + |s|)(|s| − p) = −q² V² does not.
@@ -89,6 +98,7 @@ impl<T: Real> Study<T> {
     }
 
     /// Lane by lane: `self` where `value ≤ bound`, `other` elsewhere.
+    #[inline(always)]
     pub fn select_le(self, value: T, bound: T, other: Self) -> Self {
         self.with(
             value.select_le(bound, self.scalar, other.scalar),
@@ -105,6 +115,7 @@ impl<T: Real> Study<T> {
     /// and isoclinic arguments are like all others.
     ///
     /// Cost: two evaluations of C and S, or 22 products of Study numbers.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub fn cosh_sinhc(a: T, w: T) -> (Self, Self) {
         let square = Study {
             scalar: a,
@@ -124,7 +135,14 @@ impl<T: Real> Study<T> {
                 return square.by_series();
             }
         }
-        // Lanes of different kinds, and what is not a number.
+        T::outlined(ByAllForms(square, radicand))
+    }
+
+    /// C and S of lanes that take different forms, and of what is not a number.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn by_all_forms(self, radicand: T) -> (Self, Self) {
+        let (apart, quarter) = (T::ONE, T::from_ratio(1, 4));
+        let (square, w) = (self, self.square);
         let (blades, turns) = (square.by_blades(radicand), square.by_turns());
         let series = square.by_series();
         let near = (
@@ -138,6 +156,7 @@ impl<T: Real> Study<T> {
     }
 
     /// C and S from the squares x, y of two commuting blades that are not alike.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn by_blades(self, radicand: T) -> (Self, Self) {
         let root = radicand.sqrt();
         let half = T::from_ratio(1, 2);
@@ -157,6 +176,7 @@ impl<T: Real> Study<T> {
     }
 
     /// C and S from the components a ± √w, which are not alike.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn by_turns(self) -> (Self, Self) {
         let root = self.square.sqrt();
         let half = T::from_ratio(1, 2);
@@ -164,29 +184,32 @@ impl<T: Real> Study<T> {
             (self.scalar + root).cosh_sinhc(),
             (self.scalar - root).cosh_sinhc(),
         );
-        let joined =
-            |plus: T, minus: T| self.with((plus + minus) * half, (plus - minus) * half / root);
-        (joined(plus.0, minus.0), joined(plus.1, minus.1))
+        let cosh = self.with((plus.0 + minus.0) * half, (plus.0 - minus.0) * half / root);
+        let sinhc = self.with((plus.1 + minus.1) * half, (plus.1 - minus.1) * half / root);
+        (cosh, sinhc)
     }
 
     /// C and S as power series, for |a|, |w| up to 5/4.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn by_series(self) -> (Self, Self) {
         (self.polynomial(&COSH), self.polynomial(&SINHC))
     }
 
     /// The polynomial with these coefficients, the constant one first: even and odd powers side by
     /// side, so that no product waits for all those before it.
-    #[inline]
+    #[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     fn polynomial<const N: usize>(self, coefficients: &[f64; N]) -> Self {
         let square = self * self;
-        let zero = self.real(T::ZERO);
-        let sum = |first: usize| {
-            let own = coefficients.iter().skip(first).step_by(2).rev();
-            own.fold(zero, |sum, &coefficient| {
-                (sum * square).plus(T::from_f64(coefficient))
-            })
-        };
-        sum(0) + self * sum(1)
+        // Loops, because lanes want no closure: it would not be inlined.
+        let mut sums = [self.real(T::ZERO); 2];
+        for (parity, sum) in sums.iter_mut().enumerate() {
+            for coefficient in coefficients.iter().skip(parity).step_by(2).rev() {
+                *sum = (*sum * square).plus(T::from_f64(*coefficient));
+            }
+        }
+        let [even, odd] = sums;
+        even + self * odd
     }
 
     /// The function z / sinh z of `self` = cosh z, given the square root of (1 + cosh z)/2,
@@ -196,6 +219,7 @@ impl<T: Real> Study<T> {
     /// the rest is a power series in 1 − c′.
     ///
     /// Cost: 20 products of Study numbers, and for each halving a product and a square root.
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
     pub fn log_factor(half: Self) -> Self {
         let one_half = T::from_ratio(1, 2);
         let mut cosh = half;
@@ -211,6 +235,18 @@ impl<T: Real> Study<T> {
         }
         let distance = cosh.scaled(-T::ONE).plus(T::ONE);
         distance.polynomial(&ARC) * product.inverse()
+    }
+}
+
+/// Evaluates C and S for lanes that take different forms.
+struct ByAllForms<T>(Study<T>, T);
+
+impl<T: Real> Computation for ByAllForms<T> {
+    type Output = (Study<T>, Study<T>);
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Self::Output {
+        self.0.by_all_forms(self.1)
     }
 }
 

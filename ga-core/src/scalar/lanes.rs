@@ -3,8 +3,8 @@
 
 use core::ops::{BitAnd, BitOr, Not};
 
-use super::Field;
 use super::precision::Precision;
+use super::{Computation, Field};
 
 /// Numbers of one precision that undergo the same operations: SIMD lanes, or a number alone.
 ///
@@ -56,6 +56,12 @@ pub trait Lanes: Field {
     /// Mantissa m and exponent n of a positive normal number m 2ⁿ, 1 ≤ m < 2; of others without a
     /// meaning.
     fn mantissa_and_exponent(self) -> (Self, Self);
+
+    /// A computation in a function of its own, with the instructions of these lanes.
+    #[inline(always)]
+    fn outlined<C: Computation>(computation: C) -> C::Output {
+        super::outlined(computation)
+    }
 }
 
 /// A number alone is one lane.

@@ -1,6 +1,5 @@
 //! Lanes are real numbers: which function computes what.
 
-use super::Real;
 use super::functions::circular::sin_cos;
 use super::functions::exponential::exp;
 use super::functions::inverse_tangent::atan2;
@@ -8,6 +7,7 @@ use super::functions::logarithm::ln;
 use super::functions::rotors;
 use super::lanes::Lanes;
 use super::precision::Precision;
+use super::{Computation, Real};
 
 impl<L: Lanes> Real for L {
     const PI: Self = <L as Lanes>::PI;
@@ -33,22 +33,22 @@ impl<L: Lanes> Real for L {
         self.square_root()
     }
 
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         sin_cos(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         atan2(self, x)
     }
 
-    #[inline]
+    #[inline(always)]
     fn exp(self) -> Self {
         exp(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ln(self) -> Self {
         ln(self)
     }
@@ -86,5 +86,10 @@ impl<L: Lanes> Real for L {
     #[inline(always)]
     fn select_le(self, bound: Self, then: Self, otherwise: Self) -> Self {
         L::select(self.is_at_most(bound), then, otherwise)
+    }
+
+    #[inline(always)]
+    fn outlined<C: Computation>(computation: C) -> C::Output {
+        <L as Lanes>::outlined(computation)
     }
 }

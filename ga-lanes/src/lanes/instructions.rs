@@ -1,6 +1,6 @@
 //! What the lanes of a target are made of: its registers, and an instruction for each operation.
 
-use ga_core::Precision;
+use ga_core::{Computation, Precision};
 
 /// The instructions of target `C` for numbers of this type.
 ///
@@ -21,6 +21,8 @@ pub trait Instructions<C>: Precision {
     const ZEROS: Self::Register;
     /// 1 in every lane.
     const ONES: Self::Register;
+    /// ½ in every lane.
+    const HALVES: Self::Register;
     /// π in every lane.
     const PIS: Self::Register;
     /// The rounding of 1 in every lane.
@@ -38,6 +40,8 @@ pub trait Instructions<C>: Precision {
     fn arrays_mut(numbers: &mut [Self]) -> &mut [Self::Array];
     /// The array of a function's values.
     fn array(lane: impl FnMut(usize) -> Self) -> Self::Array;
+    /// A computation in a function of its own that has the instructions of the target.
+    unsafe fn outlined<K: Computation>(computation: K) -> K::Output;
     /// One number in every lane.
     unsafe fn same(value: Self) -> Self::Register;
     /// From memory.

@@ -3,6 +3,8 @@
 use core::arch::x86_64::*;
 use core::mem::transmute;
 
+use ga_core::Computation;
+
 use super::instructions::Instructions;
 use crate::target::{V3, V4};
 
@@ -19,6 +21,7 @@ macro_rules! instructions {
             const BIAS: $float = $bias;
             const ZEROS: $register = constant!($register, $float, $count, 0.0);
             const ONES: $register = constant!($register, $float, $count, 1.0);
+            const HALVES: $register = constant!($register, $float, $count, 0.5);
             const PIS: $register = constant!($register, $float, $count, core::$float::consts::PI);
             const EPSILONS: $register = constant!($register, $float, $count, $float::EPSILON);
             const SIGNS: $register = constant!($register, $float, $count, -0.0);
@@ -45,6 +48,12 @@ macro_rules! instructions {
                 core::array::from_fn(lane)
             }
 
+            #[inline(always)]
+            unsafe fn outlined<K: Computation>(computation: K) -> K::Output {
+                // SAFETY: the caller promises that the machine has the target's instructions.
+                unsafe { $target::outlined(computation) }
+            }
+
             $(
                 #[inline(always)]
                 unsafe fn $method($($argument: $type),*) $(-> $result)? {
@@ -63,6 +72,25 @@ macro_rules! constant {
         // SAFETY: register and array are equally long, and every bit pattern is a register.
         unsafe { transmute::<[$number; $count], $register>([$value; $count]) }
     };
+}
+
+impl V3 {
+    /// A computation in a function of its own that has the instructions of the target.
+    #[inline(never)]
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
+    fn outlined<K: Computation>(computation: K) -> K::Output {
+        computation.run()
+    }
+}
+
+impl V4 {
+    /// A computation in a function of its own that has the instructions of the target.
+    #[inline(never)]
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
+    #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
+    fn outlined<K: Computation>(computation: K) -> K::Output {
+        computation.run()
+    }
 }
 
 instructions! { V3 f32 u32 __m256 __m256 8 127.0

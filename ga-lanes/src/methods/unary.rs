@@ -8,7 +8,6 @@ use crate::number::Number;
 use crate::operation::fallible::{self, Attempt, AttemptEverywhere};
 use crate::operation::{Everywhere, named};
 use crate::partial::Partial;
-use crate::target::Target;
 use crate::task::{Part, Try, execute};
 
 macro_rules! unary {
@@ -53,6 +52,8 @@ unary! {
     Norm norm
     /// The negatives.
     Opposite opposite
+    /// The exponentials.
+    Exponential exp
 }
 
 macro_rules! attempts {
@@ -72,9 +73,7 @@ macro_rules! attempts {
                 let mut exists = vec![false; self.len()];
                 let (operation, columns) = (&fallible::$name, values.view_mut());
                 let part = Part { columns, start: 0 };
-                Target::Portable.scope(|| {
                 execute::<F, _>(Try { from: self, operation, part, exists: &mut exists });
-                });
                 Partial::new(values, exists)
             }
         )*}
@@ -92,25 +91,4 @@ attempts! {
     SquareRoot sqrt
     /// The unit versors `(X X̃)^(−1/2) X`, without the drift of rounding.
     Renormalize renormalized
-}
-
-/// Exponentials, whose algorithms are too long to be inlined into the function of a target: they
-/// run in the portable lanes, as logarithms and roots do.
-impl<X, F> Batch<X>
-where
-    F: Number,
-    X: Element<Number = F> + Send + Sync,
-{
-    /// The exponentials.
-    pub fn exp(&self) -> Batch<Of<named::Exponential, F, X>>
-    where
-        named::Exponential: Everywhere<F, X, F>,
-    {
-        let mut out = Batch::new();
-        Target::Portable.scope(|| {
-            let operation = &named::Exponential;
-            fill(nothing::<F>(), self, operation, self.len(), &mut out);
-        });
-        out
-    }
 }

@@ -10,7 +10,8 @@ use crate::scalar::precision::Precision;
 ///
 /// Angles of more than [`MOST_TURNS`](Precision::MOST_TURNS) quarters of a turn are left to the
 /// library, lane by lane.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let turns = nearest_integer(x * constant(core::f64::consts::FRAC_2_PI));
     let near = turns.magnitude().is_at_most(L::splat(L::Float::MOST_TURNS));

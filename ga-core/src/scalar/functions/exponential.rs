@@ -6,7 +6,8 @@ use crate::scalar::lanes::Lanes;
 use crate::scalar::precision::Precision;
 
 /// eˣ; infinite and zero where it leaves the range of the numbers.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn exp<L: Lanes>(x: L) -> L {
     scaled(x, L::ZERO)
 }

@@ -7,7 +7,8 @@ use crate::scalar::precision::Precision;
 
 /// The angle of the point (x, y) in radians, in [−π, π]: signed zeros and infinities as of
 /// `f64::atan2`.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn atan2<L: Lanes>(y: L, x: L) -> L {
     let (width, height) = (x.magnitude(), y.magnitude());
     let steep = width.is_less(height);

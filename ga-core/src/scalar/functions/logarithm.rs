@@ -6,7 +6,8 @@ use crate::scalar::lanes::Lanes;
 use crate::scalar::precision::Precision;
 
 /// ln x; −∞ of zero, not a number of negative numbers.
-#[inline]
+#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
 pub fn ln<L: Lanes>(x: L) -> L {
     let (scale, exponent) = L::Float::NORMALISING;
     let subnormal = x.is_less(L::splat(L::Float::SMALLEST));

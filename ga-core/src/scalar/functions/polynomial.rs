@@ -7,16 +7,25 @@ use crate::scalar::lanes::Lanes;
 #[inline(always)]
 pub(super) fn polynomial<L: Lanes>(x: L, coefficients: &[L::Float]) -> L {
     let square = x * x;
-    let sum = |first: usize| {
-        let own = coefficients.iter().skip(first).step_by(2).rev();
-        own.fold(None, |sum: Option<L>, &coefficient| {
-            let term = L::splat(coefficient);
-            Some(sum.map_or(term, |sum| term.plus_product(sum, square)))
-        })
-    };
-    match (sum(0), sum(1)) {
-        (Some(even), Some(odd)) => even.plus_product(odd, x),
-        (Some(even), None) => even,
-        _ => L::ZERO,
+    let even = every_other(square, coefficients);
+    match coefficients {
+        [] | [_] => even,
+        [_, odd @ ..] => even.plus_product(every_other(square, odd), x),
     }
+}
+
+/// The polynomial with the first coefficient and every other one from there; zero with none.
+///
+/// A loop, because lanes want no closure: it would not be inlined.
+#[inline(always)]
+fn every_other<L: Lanes>(square: L, coefficients: &[L::Float]) -> L {
+    let mut own = coefficients.iter().step_by(2).rev();
+    let Some(last) = own.next() else {
+        return L::ZERO;
+    };
+    let mut sum = L::splat(*last);
+    for coefficient in own {
+        sum = L::splat(*coefficient).plus_product(sum, square);
+    }
+    sum
 }

@@ -84,13 +84,13 @@ impl<L: Lanes> Argument<L> {
     fn completed(self, cosh: L, sinhc: L, slope: L) -> (L, L, L) {
         let (mut cosh, mut sinhc, mut slope) = (cosh, sinhc, slope);
         // S′ = (C − S)/(2a).
-        let quotient = |cosh: L, sinhc: L| (cosh - sinhc) / (self.given + self.given);
+        let twice = self.given + self.given;
         if let Some((turned, root, rest, half_turns)) = self.turned {
             let odd = L::ZERO.is_less(parity(half_turns)) & turned;
             cosh = L::select(odd, -cosh, cosh);
             sinhc = L::select(odd, -sinhc, sinhc);
             sinhc = L::select(turned, sinhc * (rest / root), sinhc);
-            slope = L::select(turned, quotient(cosh, sinhc), slope);
+            slope = L::select(turned, (cosh - sinhc) / twice, slope);
         }
         let boost = constant::<L>(NEAR[1]).is_less(self.given);
         if L::any(boost) {
@@ -102,7 +102,7 @@ impl<L: Lanes> Argument<L> {
             let (far_cosh, far_sinhc) = (half + quarter, (half - quarter) / root);
             cosh = L::select(boost, far_cosh, cosh);
             sinhc = L::select(boost, far_sinhc, sinhc);
-            slope = L::select(boost, quotient(far_cosh, far_sinhc), slope);
+            slope = L::select(boost, (far_cosh - far_sinhc) / twice, slope);
         }
         (cosh, sinhc, slope)
     }
@@ -169,14 +169,15 @@ impl<L: Lanes> Arc<L> {
         let size = squared + square.magnitude();
         let unit = excess.magnitude().is_less(size * constant(0.25));
         let exists = unit & (square.is_less(L::ZERO) | L::ZERO.is_less(cosine));
-        L::all(exists).then(|| {
-            let distance = L::ONE - cosine.magnitude();
-            Arc {
-                cosine,
-                square,
-                distance: distance.plus_product(cosine.magnitude(), excess),
-                excess,
-            }
+        if !L::all(exists) {
+            return None;
+        }
+        let distance = L::ONE - cosine.magnitude();
+        Some(Arc {
+            cosine,
+            square,
+            distance: distance.plus_product(cosine.magnitude(), excess),
+            excess,
         })
     }
 

@@ -1,5 +1,7 @@
 //! What real functions ask of vectors, and how kernels load and store them.
 
+use ga_core::Computation;
+
 use super::{Instructions, Mask, Vector};
 use crate::lanes::{Lanes, sealed};
 
@@ -96,6 +98,12 @@ impl<F: Instructions<C>, C: 'static> ga_core::Lanes for Vector<F, C> {
         };
         let biased: Self = ga_core::Lanes::splat(F::ROUNDING + F::BIAS);
         (Vector(mantissa), Vector(shifted) - biased)
+    }
+
+    #[inline(always)]
+    fn outlined<K: Computation>(computation: K) -> K::Output {
+        // SAFETY: the type can be named only on a machine with its instructions; see above.
+        unsafe { <F as Instructions<C>>::outlined(computation) }
     }
 }
 

@@ -45,6 +45,7 @@ impl<F: Instructions<C>, C> Neg for Vector<F, C> {
 impl<F: Instructions<C>, C: 'static> Scalar for Vector<F, C> {
     const ZERO: Self = Vector(F::ZEROS);
     const ONE: Self = Vector(F::ONES);
+    const HALF: Option<Self> = Some(Vector(F::HALVES));
 
     #[inline(always)]
     fn from_integer(n: i64) -> Self {
