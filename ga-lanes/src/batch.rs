@@ -149,8 +149,10 @@ impl<X: Element<Number: Number>> Batch<X> {
         self.reserve(len.saturating_sub(self.len));
         let former = self.len;
         self.len = len;
-        for column in self.columns_mut() {
-            column[former.min(len)..].fill(X::Number::ZERO);
+        if former < len {
+            for column in self.columns_mut() {
+                column[former..].fill(X::Number::ZERO);
+            }
         }
     }
 
@@ -181,18 +183,12 @@ impl<X: Element<Number: Number>> Batch<X> {
 
     /// The columns in the order of the fields, to be written.
     pub fn columns_mut(&mut self) -> impl ExactSizeIterator<Item = &mut [X::Number]> {
-        let len = self.len;
-        self.whole_columns().map(move |column| &mut column[..len])
-    }
-
-    /// The columns with what they have place for.
-    fn whole_columns(&mut self) -> impl ExactSizeIterator<Item = &mut [X::Number]> {
-        let stride = self.stride * X::Number::LINE;
+        let (stride, len) = (self.stride * X::Number::LINE, self.len);
         let mut rest = columns::numbers_mut(&mut self.lines);
         (0..Self::COLUMNS).map(move |_| {
             let (column, behind) = core::mem::take(&mut rest).split_at_mut(stride);
             rest = behind;
-            column
+            &mut column[..len]
         })
     }
 
@@ -217,10 +213,9 @@ impl<X: Element<Number: Number>> Batch<X> {
 
     /// The columns for lanes, up to whole lines, to be written.
     pub(crate) fn view_mut(&mut self) -> ColumnsMut<'_, X::Number> {
+        let stride = self.stride * X::Number::LINE;
         let whole = self.len.next_multiple_of(X::Number::LINE);
-        self.whole_columns()
-            .map(|column| &mut column[..whole])
-            .collect()
+        ColumnsMut::new(columns::numbers_mut(&mut self.lines), stride, whole)
     }
 }
 

@@ -3,7 +3,6 @@
 use core::marker::PhantomData;
 
 use ga_core::{Element, Scalar};
-use smallvec::SmallVec;
 
 use crate::batch::{Batch, ColumnsMut};
 use crate::dispatch::{On, OnEveryTarget, Task, run};
@@ -20,55 +19,24 @@ pub(crate) struct Part<'t, F> {
     pub(crate) start: usize,
 }
 
-#[cfg(feature = "rayon")]
-impl<F: Number> Part<'_, F> {
-    /// How many numbers a column has.
-    fn len(&self) -> usize {
-        self.columns.first().map_or(0, |column| column.len())
-    }
-}
-
-/// Where the lanes of an element are written: as many columns as its type has coefficients, each
-/// of `count` arrays at least.
-struct Writer<'t, F, L: Lanes<F>>
-where
-    F: Number,
-{
-    columns: SmallVec<[&'t mut [L::Array]; 32]>,
-    count: usize,
-}
-
-impl<'t, F: Number, L: Lanes<F>> Writer<'t, F, L> {
-    fn new(columns: ColumnsMut<'t, F>) -> Self {
-        let columns: SmallVec<[&mut [L::Array]; 32]> =
-            columns.into_iter().map(L::arrays_mut).collect();
-        let count = columns.iter().map(|column| column.len()).min().unwrap_or(0);
-        Writer { columns, count }
-    }
-
-    /// The columns of a type, if there are as many, and how many arrays each has at least.
-    fn columns<Z: Element>(&mut self) -> Option<(&mut [&'t mut [L::Array]], usize)> {
-        Some((self.columns.get_mut(..Z::BLADES.len())?, self.count))
-    }
-}
-
 /// Stores the coefficients of an element in the columns at an index.
 ///
 /// # Safety
-/// There are as many columns as the type has coefficients, and the index is less than the length
-/// of each.
+/// The index is less than the number of arrays that the columns have for this type.
 #[inline(always)]
 unsafe fn write<Z: Element, L: Lanes<Z::Number>>(
     value: Z::Over<L>,
-    columns: &mut [&mut [L::Array]],
+    columns: &mut ColumnsMut<'_, Z::Number>,
     index: usize,
 ) where
     Z::Number: Number,
 {
     for position in 0..Z::BLADES.len() {
-        // SAFETY: the caller promises both.
-        let array = unsafe { columns.get_unchecked_mut(position).get_unchecked_mut(index) };
-        value.at(position).store(array);
+        // SAFETY: there are arrays for this type, so that it has no more coefficients than there
+        // are columns; the caller promises the rest.
+        value
+            .at(position)
+            .store(unsafe { columns.array::<L>(position, index) });
     }
 }
 
@@ -94,18 +62,17 @@ where
 {
     #[inline(always)]
     fn run(self) {
-        let first = self.part.start / L::COUNT;
+        let Part { mut columns, start } = self.part;
+        let first = start / L::COUNT;
         let (a, b) = (self.a.reader::<L>(), self.b.reader::<L>());
-        let mut writer = Writer::<NumberOf<A>, L>::new(self.part.columns);
-        let Some((columns, count)) = writer.columns::<O::Output>() else {
-            return;
-        };
+        let count = columns.arrays::<O::Output, L>();
         let readable = a.count().min(b.count()).saturating_sub(first);
         for index in 0..count.min(readable) {
             // SAFETY: `first + index` is less than the counts of both.
             let (x, y) = unsafe { (a.read(first + index), b.read(first + index)) };
-            // SAFETY: the index is less than the count of the writer, whose columns these are.
-            unsafe { write::<O::Output, L>(self.operation.call(x, y), columns, index) };
+            let value = self.operation.call(x, y);
+            // SAFETY: the index is less than the number of arrays for this type.
+            unsafe { write::<O::Output, L>(value, &mut columns, index) };
         }
     }
 }
@@ -131,22 +98,25 @@ where
 {
     #[inline(always)]
     fn run(self) {
-        let first = self.part.start / L::COUNT;
+        let Part { mut columns, start } = self.part;
+        let first = start / L::COUNT;
         let a = self.a.reader::<L>();
-        let mut writer = Writer::<NumberOf<A>, L>::new(self.part.columns);
-        let Some((columns, count)) = writer.columns::<Y>() else {
-            return;
-        };
+        let count = columns.arrays::<Y, L>();
         let readable = a.count().saturating_sub(first);
         for index in 0..count.min(readable) {
             // SAFETY: `first + index` is less than the count.
             let x = unsafe { a.read(first + index) };
             let y = Y::Over::<L>::from_fn(|position| {
-                let column = columns.get(position);
-                column.map_or(L::ZERO, |column| L::load(&column[index]))
+                if position >= Y::BLADES.len() {
+                    return L::ZERO;
+                }
+                // SAFETY: there are arrays for this type, so that it has no more coefficients than
+                // there are columns, and the index is less than their number.
+                L::load(unsafe { columns.array::<L>(position, index) })
             });
-            // SAFETY: the index is less than the count of the writer, whose columns these are.
-            unsafe { write::<Y, L>(self.operation.call(x, y), columns, index) };
+            let value = self.operation.call(x, y);
+            // SAFETY: the index is less than the number of arrays for this type.
+            unsafe { write::<Y, L>(value, &mut columns, index) };
         }
     }
 }
@@ -172,20 +142,17 @@ where
 {
     #[inline(always)]
     fn run(self) {
-        let Part { columns, start } = self.part;
+        let Part { mut columns, start } = self.part;
         let from = self.from.reader::<L>();
-        let mut writer = Writer::<X::Number, L>::new(columns);
-        let Some((columns, count)) = writer.columns::<O::Output>() else {
-            return;
-        };
+        let count = columns.arrays::<O::Output, L>();
         let readable = from.count().saturating_sub(start / L::COUNT);
         let exists = self.exists.chunks_mut(L::COUNT).enumerate();
         for (index, exists) in exists.take(count.min(readable)) {
             // SAFETY: the index from the start on is less than the count.
             let x = unsafe { from.read(start / L::COUNT + index) };
             if let Some(value) = self.operation.call(x) {
-                // SAFETY: the index is less than the count of the writer, whose columns these are.
-                unsafe { write::<O::Output, L>(value, columns, index) };
+                // SAFETY: the index is less than the number of arrays for this type.
+                unsafe { write::<O::Output, L>(value, &mut columns, index) };
                 exists.fill(true);
                 continue;
             }
@@ -193,8 +160,11 @@ where
                 let element = self.from.get(start + index * L::COUNT + lane);
                 let value = element.and_then(|element| self.operation.one(element));
                 *exists = value.is_some();
-                for (position, column) in columns.iter_mut().enumerate() {
-                    column[index].as_mut()[lane] =
+                for position in 0..O::Output::BLADES.len() {
+                    // SAFETY: there are arrays for this type, so that it has no more coefficients
+                    // than there are columns, and the index is less than their number.
+                    let array = unsafe { columns.array::<L>(position, index) };
+                    array.as_mut()[lane] =
                         value.map_or(X::Number::ZERO, |value| value.at(position));
                 }
             }
@@ -240,11 +210,7 @@ pub(crate) trait Split<F: Number>: Send + Sized {
 impl<'t, F: Number> Part<'t, F> {
     /// The first numbers of the columns, and the others.
     fn split_at(self, middle: usize) -> (Part<'t, F>, Part<'t, F>) {
-        let (low, high) = self
-            .columns
-            .into_iter()
-            .map(|column| column.split_at_mut(middle))
-            .unzip();
+        let (low, high) = self.columns.split_at(middle);
         let part = |columns, start| Part { columns, start };
         (part(low, self.start), part(high, self.start + middle))
     }
@@ -258,7 +224,7 @@ where
 {
     #[cfg(feature = "rayon")]
     fn len(&self) -> usize {
-        self.part.len()
+        self.part.columns.len()
     }
 
     #[cfg(feature = "rayon")]
@@ -276,7 +242,7 @@ where
 {
     #[cfg(feature = "rayon")]
     fn len(&self) -> usize {
-        self.part.len()
+        self.part.columns.len()
     }
 
     #[cfg(feature = "rayon")]
@@ -294,7 +260,7 @@ where
 {
     #[cfg(feature = "rayon")]
     fn len(&self) -> usize {
-        self.part.len()
+        self.part.columns.len()
     }
 
     #[cfg(feature = "rayon")]
