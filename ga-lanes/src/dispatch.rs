@@ -1,5 +1,6 @@
 //! A kernel is compiled once per target and run on the one that was found.
 
+use core::hint::black_box;
 use core::marker::PhantomData;
 
 use crate::lanes::Lanes;
@@ -82,6 +83,15 @@ pub trait OnEveryTarget<F: Number>: On<F::Portable> {}
 #[cfg(not(target_arch = "x86_64"))]
 impl<F: Number, K: On<F::Portable>> OnEveryTarget<F> for K {}
 
+/// A line of the cache on the stack.
+///
+/// A function that has one aligns its stack, and then what overflows the registers. Without it the
+/// compiler takes the register for other things that it would need for that, and numbers that
+/// straddle two lines take twice the time or more.
+#[cfg(target_arch = "x86_64")]
+#[repr(align(64))]
+struct Aligned([u8; 1]);
+
 /// A kernel as a task.
 struct General<F, K>(K, PhantomData<F>);
 
@@ -121,6 +131,7 @@ fn on_portable<F: Number, K: On<F::Portable>>(task: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
 fn on_v3<F: Number, K: On<Wide<F>>>(task: K) -> K::Output {
+    black_box(&mut Aligned([0]).0);
     task.run()
 }
 
@@ -128,5 +139,6 @@ fn on_v3<F: Number, K: On<Wide<F>>>(task: K) -> K::Output {
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
 #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
 fn on_v4<F: Number, K: On<Widest<F>>>(task: K) -> K::Output {
+    black_box(&mut Aligned([0]).0);
     task.run()
 }

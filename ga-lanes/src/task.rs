@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use ga_core::{Element, Scalar};
+use ga_core::{Computation, Element, Scalar};
 
 use crate::batch::{Batch, ColumnsMut};
 use crate::dispatch::{On, OnEveryTarget, Task, run};
@@ -122,7 +122,7 @@ where
 }
 
 /// An operation that some elements have no value of, into the columns of another batch and a
-/// list of which exist. Where one of the lanes has no value, all are asked one by one.
+/// list of which exist. Where one of the lanes has no value, each is asked alone.
 pub(crate) struct Try<'t, X: Element<Number: Number>, O> {
     pub(crate) from: &'t Batch<X>,
     pub(crate) operation: &'t O,
@@ -158,17 +158,50 @@ where
             }
             for (lane, exists) in exists.iter_mut().enumerate() {
                 let element = self.from.get(start + index * L::COUNT + lane);
-                let value = element.and_then(|element| self.operation.one(element));
+                let value = element.and_then(|element| {
+                    L::outlined(Alone {
+                        element,
+                        operation: self.operation,
+                        lanes: PhantomData::<L>,
+                    })
+                });
                 *exists = value.is_some();
                 for position in 0..O::Output::BLADES.len() {
+                    let mut values = L::array(|_| X::Number::ZERO);
+                    if let Some(value) = &value {
+                        value.at(position).store(&mut values);
+                    }
                     // SAFETY: there are arrays for this type, so that it has no more coefficients
                     // than there are columns, and the index is less than their number.
                     let array = unsafe { columns.array::<L>(position, index) };
-                    array.as_mut()[lane] =
-                        value.map_or(X::Number::ZERO, |value| value.at(position));
+                    array.as_mut()[lane] = values.as_ref()[lane];
                 }
             }
         }
+    }
+}
+
+/// One element in all lanes, where a neighbour has no value: its own is rounded as beside others.
+struct Alone<'t, X, O, L> {
+    element: X,
+    operation: &'t O,
+    lanes: PhantomData<L>,
+}
+
+impl<X, O, L> Computation for Alone<'_, X, O, L>
+where
+    X: Element<Number: Number>,
+    L: Lanes<X::Number>,
+    O: AttemptIn<X, L>,
+{
+    type Output = Option<<O::Output as Element>::Over<L>>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let element = self.element;
+        let x =
+            X::Over::<L>::from_fn(|position| <L as Lanes<X::Number>>::splat(element.at(position)));
+        self.operation.call(x)
     }
 }
 

@@ -6,12 +6,10 @@ use crate::number::Number;
 #[cfg(target_arch = "x86_64")]
 use crate::number::{Wide, Widest};
 
-/// The type of the values of an attempt, and a single one.
+/// The type of the values of an attempt.
 pub trait Attempt<X> {
     /// The type.
     type Output: Element;
-    /// The value, where there is one.
-    fn one(&self, x: X) -> Option<Self::Output>;
 }
 
 /// An attempt in lanes `L`: the values, where all lanes have one.
@@ -63,10 +61,6 @@ macro_rules! attempts {
 
         impl<X: ops::$trait<Output: Element>> Attempt<X> for $name {
             type Output = X::Output;
-
-            fn one(&self, x: X) -> Option<X::Output> {
-                x.$method()
-            }
         }
 
         impl<X, L> AttemptIn<X, L> for $name
@@ -94,10 +88,6 @@ pub struct Inverse;
 
 impl<X: Element + ops::Inverse<Output: Element>> Attempt<X> for Inverse {
     type Output = X::Output;
-
-    fn one(&self, x: X) -> Option<X::Output> {
-        x.inverse()
-    }
 }
 
 impl<X, L> AttemptIn<X, L> for Inverse
@@ -133,10 +123,6 @@ where
         + ops::Geometric<X::Number, Output: Element>,
 {
     type Output = <X as ops::Geometric<X::Number>>::Output;
-
-    fn one(&self, x: X) -> Option<Self::Output> {
-        over_norm(x)
-    }
 }
 
 impl<X, L> AttemptIn<X, L> for Normalized
