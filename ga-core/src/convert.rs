@@ -74,7 +74,7 @@ where
 }
 
 /// The blade of a field of `X`, as spelled there, as an element of a type that stores it.
-#[inline]
+#[inline(always)]
 pub fn basis<X, Linear>(position: usize) -> Linear
 where
     X: Element,

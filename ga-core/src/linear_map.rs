@@ -1,6 +1,6 @@
 //! One versor on many elements: its matrix on a type, without the entries that are always zero.
 
-use core::{array, fmt};
+use core::fmt;
 
 use crate::convert::{basis, pick};
 use crate::ops::{ApplyUnit, Element, Outermorphism};
@@ -139,7 +139,7 @@ where
 /// The columns of a matrix, given the multiple whose reverse is the inverse: the image of the fixed
 /// coefficients, and that of every field's blade.
 #[doc(hidden)]
-#[inline]
+#[inline(always)]
 pub fn columns<V, X, L, Y, const FIELDS: usize>(versor: V, w: V::Multiple) -> (Y, [Y; FIELDS])
 where
     V: ApplyUnit<L, Image: Element<Number = Y::Number>>,
@@ -147,9 +147,13 @@ where
     L: Element<Number = Y::Number> + From<X>,
     Y: Element<Number: Field>,
 {
-    let column = |x: L| pick(versor.apply_with(w, x));
-    let fixed = column(L::from(X::from_fn(|_| Y::Number::ZERO)));
-    (fixed, array::from_fn(|place| column(basis::<X, L>(place))))
+    // Loops here and below, because lanes want no closure: it would not be inlined.
+    let fixed = pick(versor.apply_with(w, L::from(X::from_fn(|_| Y::Number::ZERO))));
+    let mut columns = [fixed; FIELDS];
+    for (place, column) in columns.iter_mut().enumerate() {
+        *column = pick(versor.apply_with(w, basis::<X, L>(place)));
+    }
+    (fixed, columns)
 }
 
 /// An entry times a coefficient for each of them.
@@ -157,8 +161,14 @@ where
 #[inline(always)]
 pub fn linear<T: Scalar>(entries: &[T], x: &[T]) -> T {
     let mut products = entries.iter().zip(x);
-    let first = products.next().map_or(T::ZERO, |(entry, x)| *entry * *x);
-    products.fold(first, |sum, (entry, x)| sum.plus_product(*entry, *x))
+    let Some((entry, x)) = products.next() else {
+        return T::ZERO;
+    };
+    let mut sum = *entry * *x;
+    for (entry, x) in products {
+        sum = sum.plus_product(*entry, *x);
+    }
+    sum
 }
 
 /// The first entry, and another times a coefficient for each of these.
@@ -168,8 +178,11 @@ pub fn affine<T: Scalar>(entries: &[T], x: &[T]) -> T {
     let Some((first, entries)) = entries.split_first() else {
         return T::ZERO;
     };
-    let products = entries.iter().zip(x);
-    products.fold(*first, |sum, (entry, x)| sum.plus_product(*entry, *x))
+    let mut sum = *first;
+    for (entry, x) in entries.iter().zip(x) {
+        sum = sum.plus_product(*entry, *x);
+    }
+    sum
 }
 
 /// The matrix of any versor: of `V/⟨V Ṽ⟩` as the inverse.

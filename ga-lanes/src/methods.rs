@@ -1,5 +1,6 @@
 //! The operations as methods of batches and of one element.
 
+mod application;
 mod binary;
 mod functions;
 mod unary;

@@ -31,6 +31,10 @@ pub type NumberOf<A> = <<A as Operand>::Element as Element>::Number;
 pub trait Reader<X: Element, L> {
     /// How many times the lanes can be filled.
     fn count(&self) -> usize;
+    /// The element, where it is the same at every index.
+    fn constant(&self) -> Option<X::Over<L>>
+    where
+        L: Lanes<X::Number>;
     /// The elements of the lanes at an index.
     ///
     /// # Safety
@@ -95,6 +99,11 @@ impl<X: Element<Number: Number>, L: Lanes<X::Number>> Reader<X, L> for Columns<'
     }
 
     #[inline(always)]
+    fn constant(&self) -> Option<X::Over<L>> {
+        None
+    }
+
+    #[inline(always)]
     unsafe fn read(&self, index: usize) -> X::Over<L> {
         X::Over::<L>::from_fn(|position| {
             if position >= X::BLADES.len() {
@@ -117,6 +126,11 @@ impl<X: Element, L: Lanes<X::Number>> Reader<X, L> for Broadcast<X, L> {
     #[inline(always)]
     fn count(&self) -> usize {
         usize::MAX
+    }
+
+    #[inline(always)]
+    fn constant(&self) -> Option<X::Over<L>> {
+        Some(self.0)
     }
 
     #[inline(always)]

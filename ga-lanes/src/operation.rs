@@ -44,8 +44,13 @@ pub trait Values<X, Y> {
 /// An operation on two elements in lanes `L`. One on a single element has it on the right, and a
 /// number that is not read on the left.
 pub trait Operation<X: Element, Y: Element, L: Scalar>: Values<X, Y> {
+    /// What an operation wants to know of the left operand: itself, or what follows from it alone,
+    /// and is kept where one element is on the left of all.
+    type Left: Copy;
+    /// What it wants to know of this one.
+    fn left(x: X::Over<L>) -> Self::Left;
     /// The value.
-    fn call(&self, x: X::Over<L>, y: Y::Over<L>) -> <Self::Output as Element>::Over<L>;
+    fn call(&self, x: Self::Left, y: Y::Over<L>) -> <Self::Output as Element>::Over<L>;
 }
 
 /// An operation that exists for the lanes of every target.
@@ -97,6 +102,13 @@ where
     L: Lanes<X::Number>,
     K: Map<X>,
 {
+    type Left = L;
+
+    #[inline(always)]
+    fn left(x: L) -> L {
+        x
+    }
+
     #[inline(always)]
     fn call(&self, _: L, x: X::Over<L>) -> <K::Output as Element>::Over<L> {
         self.0.call::<L>(x)
@@ -122,6 +134,13 @@ where
     L: Lanes<X::Number>,
     K: ZipMap<X, Y>,
 {
+    type Left = X::Over<L>;
+
+    #[inline(always)]
+    fn left(x: X::Over<L>) -> X::Over<L> {
+        x
+    }
+
     #[inline(always)]
     fn call(&self, x: X::Over<L>, y: Y::Over<L>) -> <K::Output as Element>::Over<L> {
         self.0.call::<L>(x, y)

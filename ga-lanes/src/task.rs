@@ -67,9 +67,18 @@ where
         let (a, b) = (self.a.reader::<L>(), self.b.reader::<L>());
         let count = columns.arrays::<O::Output, L>();
         let readable = a.count().min(b.count()).saturating_sub(first);
+        let constant = match a.constant() {
+            Some(x) => Some(O::left(x)),
+            None => None,
+        };
         for index in 0..count.min(readable) {
-            // SAFETY: `first + index` is less than the counts of both.
-            let (x, y) = unsafe { (a.read(first + index), b.read(first + index)) };
+            let x = match constant {
+                Some(x) => x,
+                // SAFETY: `first + index` is less than the count.
+                None => O::left(unsafe { a.read(first + index) }),
+            };
+            // SAFETY: `first + index` is less than the count.
+            let y = unsafe { b.read(first + index) };
             let value = self.operation.call(x, y);
             // SAFETY: the index is less than the number of arrays for this type.
             unsafe { write::<O::Output, L>(value, &mut columns, index) };
@@ -103,9 +112,16 @@ where
         let a = self.a.reader::<L>();
         let count = columns.arrays::<Y, L>();
         let readable = a.count().saturating_sub(first);
+        let constant = match a.constant() {
+            Some(x) => Some(O::left(x)),
+            None => None,
+        };
         for index in 0..count.min(readable) {
-            // SAFETY: `first + index` is less than the count.
-            let x = unsafe { a.read(first + index) };
+            let x = match constant {
+                Some(x) => x,
+                // SAFETY: `first + index` is less than the count.
+                None => O::left(unsafe { a.read(first + index) }),
+            };
             let y = Y::Over::<L>::from_fn(|position| {
                 if position >= Y::BLADES.len() {
                     return L::ZERO;

@@ -1,6 +1,6 @@
 //! The operations of generated types, by name.
 
-use ga_core::{Element, Real, Scalar, ops};
+use ga_core::{Element, Field, Real, Scalar, ops};
 
 use super::{Operation, Values};
 
@@ -26,6 +26,13 @@ macro_rules! binary {
                 Output = <<X as $($path)::*::$trait<Y>>::Output as Element>::Over<L>,
             >,
         {
+            type Left = X::Over<L>;
+
+            #[inline(always)]
+            fn left(x: X::Over<L>) -> X::Over<L> {
+                x
+            }
+
             #[inline(always)]
             fn call(&self, x: X::Over<L>, y: Y::Over<L>) -> <Self::Output as Element>::Over<L> {
                 $($path)::*::$trait::$method(x, y)
@@ -71,6 +78,13 @@ macro_rules! unary {
                 Output = <<X as $($path)::*::$trait>::Output as Element>::Over<L>,
             >,
         {
+            type Left = L;
+
+            #[inline(always)]
+            fn left(x: L) -> L {
+                x
+            }
+
             #[inline(always)]
             fn call(&self, _: L, x: X::Over<L>) -> <Self::Output as Element>::Over<L> {
                 $($path)::*::$trait::$method(x)
@@ -105,8 +119,62 @@ where
     L: Real,
     X::Over<L>: ops::NormSquared<Output = L>,
 {
+    type Left = L;
+
+    #[inline(always)]
+    fn left(x: L) -> L {
+        x
+    }
+
     #[inline(always)]
     fn call(&self, _: L, x: X::Over<L>) -> L {
         ops::norm(x)
+    }
+}
+
+/// Versor application by the matrix of the versor, where that takes fewer multiplications.
+pub struct ApplyLinear;
+
+impl<X, Y> Values<X, Y> for ApplyLinear
+where
+    X: ops::Outermorphism<Y, Image: Element>,
+{
+    type Output = X::Image;
+}
+
+/// A versor and its multiple, or its matrix.
+#[derive(Clone, Copy)]
+pub enum Linear<X: ops::Outermorphism<Y>, Y> {
+    /// The versor and the multiple whose reverse is its inverse.
+    Versor(X, X::Multiple),
+    /// The rows of the matrix.
+    Matrix(X::Rows),
+}
+
+impl<X, Y, L> Operation<X, Y, L> for ApplyLinear
+where
+    X: Element + ops::Outermorphism<Y, Image: Element>,
+    Y: Element,
+    L: Field,
+    X::Over<L>: ops::Versor<Number = L>
+        + ops::Outermorphism<Y::Over<L>, Image = <X::Image as Element>::Over<L>>,
+{
+    type Left = Linear<X::Over<L>, Y::Over<L>>;
+
+    #[inline(always)]
+    fn left(x: X::Over<L>) -> Self::Left {
+        let multiple = ops::Versor::over_norm(x);
+        match <X as ops::Outermorphism<Y>>::WORTHWHILE {
+            Some(_) => Linear::Matrix(ops::Outermorphism::rows_with(x, multiple)),
+            None => Linear::Versor(x, multiple),
+        }
+    }
+
+    #[inline(always)]
+    fn call(&self, left: Self::Left, y: Y::Over<L>) -> <Self::Output as Element>::Over<L> {
+        match left {
+            Linear::Matrix(rows) => <X::Over<L> as ops::Outermorphism<Y::Over<L>>>::image(&rows, y),
+            Linear::Versor(x, multiple) => ops::ApplyUnit::apply_with(x, multiple, y),
+        }
     }
 }

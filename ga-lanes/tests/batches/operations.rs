@@ -166,6 +166,62 @@ fn unit_versors_apply_as_single_ones_do() {
     });
 }
 
+/// One versor on every element by its matrix, against matrices of single numbers.
+macro_rules! linear {
+    ($($float:ident $algebra:ident $Versor:ident $Operand:ident;)*) => {{$(
+        for len in LENGTHS {
+            let versor = elements::<$algebra::$Versor<$float>>(1, 21)[0];
+            let operands = elements::<$algebra::$Operand<$float>>(len, 22);
+            let map = versor.linear_map::<$algebra::$Operand<$float>>();
+            let expected: Vec<_> = operands.iter().map(|x| map.apply(*x)).collect();
+            let mut batch = Batch::from_slice(&operands);
+            assert_same(&One(versor).apply_linear(&batch), &expected, "linear");
+            for former in [0, 40] {
+                let mut out = Batch::zeros(former);
+                One(versor).apply_linear_into(&batch, &mut out);
+                assert_same(&out, &expected, "linear into");
+            }
+            One(versor).apply_linear_in_place(&mut batch);
+            assert_same(&batch, &expected, "linear in place");
+        }
+    )*}};
+}
+
+#[test]
+fn matrices_of_versors_act_as_those_of_single_ones() {
+    on_every_target(|| {
+        linear! {
+            f32 r3 Even Vector;
+            f64 r3 Even Vector;
+            f64 r3 Even Bivector;
+            f64 r3 Vector Vector;
+            f32 plane Motor Point;
+            f64 plane Motor Point;
+            f64 plane Motor Circle;
+            f64 plane Even Vector;
+            f64 plane Even Pair;
+        }
+    });
+}
+
+#[test]
+fn matrices_of_null_versors_give_no_numbers() {
+    on_every_target(|| {
+        let vectors = Batch::from_slice(&elements::<r3::Vector<f64>>(20, 1));
+        let images = One(r3::Even::<f64>::default()).apply_linear(&vectors);
+        assert!(
+            images
+                .iter()
+                .all(|image| image.e1.is_nan() && image.e3.is_nan())
+        );
+        assert!(
+            One(r3::Even::<f64>::default())
+                .apply_linear(&Batch::<r3::Vector>::new())
+                .is_empty()
+        );
+    });
+}
+
 #[test]
 fn batches_of_different_lengths_are_refused() {
     let motors = Batch::from_slice(&elements::<plane::Motor<f64>>(7, 1));
