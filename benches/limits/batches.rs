@@ -7,7 +7,7 @@ use ga_benches::data::Data;
 use ga_benches::ours::{conformal, plane_based};
 use ga_core::ops::Element;
 use ga_core::{Real, Unit};
-use ga_lanes::{Batch, Lanes, Number, One, ZipMap};
+use ga_lanes::{Batch, Number, One};
 
 use crate::slots::{Slot, slots};
 
@@ -19,10 +19,27 @@ pub struct Work {
     pub scalar: &'static str,
     /// Multiply-add slots for an element.
     pub slots: u32,
-    /// Bytes that an element takes from memory and gives to it.
-    pub bytes: usize,
+    /// How many numbers an element takes from memory.
+    pub read: usize,
+    /// How many numbers it gives to memory.
+    pub written: usize,
     /// The call on batches of this length.
     pub prepare: fn(usize) -> Box<dyn FnMut() + Send>,
+}
+
+impl Work {
+    /// The bytes of a number.
+    pub fn number(&self) -> usize {
+        match self.scalar {
+            "f32" => size_of::<f32>(),
+            _ => size_of::<f64>(),
+        }
+    }
+
+    /// The bytes that an element takes from memory and gives to it.
+    pub fn bytes(&self) -> usize {
+        (self.read + self.written) * self.number()
+    }
 }
 
 /// Elements of which longer batches are made by repetition.
@@ -33,40 +50,9 @@ fn batch<X: Element<Number: Number>>(count: usize, some: Vec<X>) -> Batch<X> {
     some.into_iter().cycle().take(count).collect()
 }
 
-/// The bytes of an element.
-const fn bytes<X: Element>() -> usize {
-    X::BLADES.len() * size_of::<X::Number>()
-}
-
 /// An operand that counts slots.
 fn counting<X: Element<Number = Slot>>() -> X {
     X::from_fn(|_| Slot(1.0))
-}
-
-/// Elements moved by unit motors.
-struct Moved;
-
-macro_rules! moved {
-    ($($algebra:ident::$Operand:ident)*) => {$(
-        impl<F: Number> ZipMap<$algebra::$Operand<F>, $algebra::Motor<F>> for Moved {
-            type Output = $algebra::$Operand<F>;
-
-            #[inline(always)]
-            fn call<L: Lanes<F>>(
-                &self,
-                x: $algebra::$Operand<L>,
-                motor: $algebra::Motor<L>,
-            ) -> $algebra::$Operand<L> {
-                Unit::promised(motor).apply(x)
-            }
-        }
-    )*};
-}
-
-moved! {
-    plane_based::Point
-    conformal::Point
-    conformal::Circle
 }
 
 /// Motors on elements: on every one its own, or one on all.
@@ -75,37 +61,48 @@ macro_rules! work {
         Work {
             name: $name,
             scalar: stringify!($float),
-            slots: slots(|| {
+            slots: {
                 let motor = Unit::promised(counting::<$algebra::Motor<Slot>>());
-                motor.apply(counting::<$algebra::$Operand<Slot>>())
-            }),
-            bytes: 2 * bytes::<$algebra::$Operand<$float>>()
-                + work!(@bytes $how $algebra::Motor<$float>),
+                let operand = counting::<$algebra::$Operand<Slot>>();
+                work!(@slots $how motor operand)
+            },
+            read: $algebra::$Operand::<$float>::BLADES.len()
+                + work!(@read $how $algebra::Motor::<$float>),
+            written: $algebra::$Operand::<$float>::BLADES.len(),
             prepare: |count| {
                 let data = Data::new(SOME);
                 let motors = data.motions[0].iter().map($algebra::motor::<$float>);
-                let motors = motors.map(Unit::into_inner);
                 let operands = batch(count, $operands::<$float>(&data));
-                let motors = work!(@motors $how count motors);
                 let mut results = Batch::new();
-                Box::new(move || {
-                    let operands = black_box(&operands);
-                    // Both are of one length, so that nothing is refused.
-                    let _ = operands.zip_map_into(work!(@right $how motors), &Moved, &mut results);
-                    black_box(&mut results);
-                })
+                work!(@prepare $how count motors operands results)
             },
         }
     };
-    (@bytes each $Motor:ty) => { bytes::<$Motor>() };
-    (@bytes one $Motor:ty) => { 0 };
-    (@motors each $count:ident $motors:ident) => { batch($count, $motors.collect()) };
-    (@motors one $count:ident $motors:ident) => { One($motors.take(1).sum()) };
-    (@right each $motors:ident) => { black_box(&$motors) };
-    (@right one $motors:ident) => { black_box($motors) };
+    (@slots each $motor:ident $operand:ident) => { slots(|| $motor.apply($operand)) };
+    (@slots one $motor:ident $operand:ident) => {{
+        let map = $motor.linear_map();
+        slots(|| map.apply($operand))
+    }};
+    (@read each $($Motor:tt)*) => { $($Motor)*::BLADES.len() };
+    (@read one $($Motor:tt)*) => { 0 };
+    (@prepare each $count:ident $motors:ident $operands:ident $results:ident) => {{
+        let motors = batch($count, $motors.collect());
+        Box::new(move || {
+            // Both are of one length, so that nothing is refused.
+            let _ = black_box(&motors).apply_into(black_box(&$operands), &mut $results);
+            black_box(&mut $results);
+        })
+    }};
+    (@prepare one $count:ident $motors:ident $operands:ident $results:ident) => {{
+        let motor = One($motors.map(Unit::into_inner).next().unwrap_or_default());
+        Box::new(move || {
+            black_box(motor).apply_linear_into(black_box(&$operands), &mut $results);
+            black_box(&mut $results);
+        })
+    }};
 }
 
-/// All that is measured.
+/// Motors on elements, bound by arithmetic or memory.
 pub fn all() -> Vec<Work> {
     vec![
         work!("motor-on-point" each f32 plane_based Point points),
@@ -114,11 +111,70 @@ pub fn all() -> Vec<Work> {
         work!("one-motor-on-points" one f64 plane_based Point points),
         work!("conformal-motor-on-point" each f32 conformal Point conformal_points),
         work!("conformal-motor-on-point" each f64 conformal Point conformal_points),
+        work!("one-conformal-motor-on-points" one f32 conformal Point conformal_points),
+        work!("one-conformal-motor-on-points" one f64 conformal Point conformal_points),
         work!("conformal-motor-on-circle" each f32 conformal Circle circles),
         work!("conformal-motor-on-circle" each f64 conformal Circle circles),
         work!("one-conformal-motor-on-circles" one f32 conformal Circle circles),
         work!("one-conformal-motor-on-circles" one f64 conformal Circle circles),
     ]
+}
+
+/// A function of every element of a batch.
+pub struct Function {
+    /// What is computed.
+    pub name: &'static str,
+    /// The type of the numbers.
+    pub scalar: &'static str,
+    /// The call on a batch of this length.
+    pub prepare: fn(usize) -> Box<dyn FnMut()>,
+}
+
+/// A batch of so many motors.
+macro_rules! motors {
+    ($algebra:ident $float:ident $count:ident) => {{
+        let data = Data::new(SOME);
+        let motors = data.motions[0].iter().map($algebra::motor::<$float>);
+        batch($count, motors.collect())
+    }};
+}
+
+/// Exponentials and logarithms of unit motors.
+macro_rules! functions {
+    ($($exp:literal $log:literal $algebra:ident $float:ident)*) => {
+        vec![$(
+            Function {
+                name: $exp,
+                scalar: stringify!($float),
+                prepare: |count| {
+                    let generators = motors!($algebra $float count).log().or_zeros();
+                    Box::new(move || {
+                        black_box(black_box(&generators).exp());
+                    })
+                },
+            },
+            Function {
+                name: $log,
+                scalar: stringify!($float),
+                prepare: |count| {
+                    let motors = motors!($algebra $float count);
+                    Box::new(move || {
+                        black_box(black_box(&motors).log());
+                    })
+                },
+            },
+        )*]
+    };
+}
+
+/// Functions of motors and of their generators.
+pub fn functions() -> Vec<Function> {
+    functions! {
+        "exp" "log" plane_based f32
+        "exp" "log" plane_based f64
+        "conformal-exp" "conformal-log" conformal f32
+        "conformal-exp" "conformal-log" conformal f64
+    }
 }
 
 fn points<T: Real>(data: &Data) -> Vec<plane_based::Point<T>> {

@@ -132,49 +132,59 @@ where
     }
 }
 
-/// Versor application by the matrix of the versor, where that takes fewer multiplications.
-pub struct ApplyLinear;
+macro_rules! one_on_many {
+    (
+        $(#[$doc:meta])*
+        $name:ident keeps $Left:ty:
+        |$versor:ident| $left:expr, |$kept:ident, $operand:ident| $image:expr
+    ) => {
+        $(#[$doc])*
+        pub struct $name;
 
-impl<X, Y> Values<X, Y> for ApplyLinear
-where
-    X: ops::Outermorphism<Y, Image: Element>,
-{
-    type Output = X::Image;
+        impl<X, Y> Values<X, Y> for $name
+        where
+            X: ops::Outermorphism<Y, Image: Element>,
+        {
+            type Output = X::Image;
+        }
+
+        impl<X, Y, L> Operation<X, Y, L> for $name
+        where
+            X: Element + ops::Outermorphism<Y, Image: Element>,
+            Y: Element,
+            L: Field,
+            X::Over<L>: ops::Versor<Number = L>
+                + ops::Outermorphism<Y::Over<L>, Image = <X::Image as Element>::Over<L>>,
+        {
+            type Left = $Left;
+
+            #[inline(always)]
+            fn left($versor: X::Over<L>) -> Self::Left {
+                $left
+            }
+
+            #[inline(always)]
+            fn call(
+                &self,
+                $kept: Self::Left,
+                $operand: Y::Over<L>,
+            ) -> <Self::Output as Element>::Over<L> {
+                $image
+            }
+        }
+    };
 }
 
-/// A versor and its multiple, or its matrix.
-#[derive(Clone, Copy)]
-pub enum Linear<X: ops::Outermorphism<Y>, Y> {
-    /// The versor and the multiple whose reverse is its inverse.
-    Versor(X, X::Multiple),
-    /// The rows of the matrix.
-    Matrix(X::Rows),
+one_on_many! {
+    /// Versor application by the matrix of the versor.
+    ByMatrix keeps <X::Over<L> as ops::Outermorphism<Y::Over<L>>>::Rows:
+    |versor| ops::Outermorphism::rows_with(versor, ops::Versor::over_norm(versor)),
+    |rows, y| <X::Over<L> as ops::Outermorphism<Y::Over<L>>>::image(&rows, y)
 }
 
-impl<X, Y, L> Operation<X, Y, L> for ApplyLinear
-where
-    X: Element + ops::Outermorphism<Y, Image: Element>,
-    Y: Element,
-    L: Field,
-    X::Over<L>: ops::Versor<Number = L>
-        + ops::Outermorphism<Y::Over<L>, Image = <X::Image as Element>::Over<L>>,
-{
-    type Left = Linear<X::Over<L>, Y::Over<L>>;
-
-    #[inline(always)]
-    fn left(x: X::Over<L>) -> Self::Left {
-        let multiple = ops::Versor::over_norm(x);
-        match <X as ops::Outermorphism<Y>>::WORTHWHILE {
-            Some(_) => Linear::Matrix(ops::Outermorphism::rows_with(x, multiple)),
-            None => Linear::Versor(x, multiple),
-        }
-    }
-
-    #[inline(always)]
-    fn call(&self, left: Self::Left, y: Y::Over<L>) -> <Self::Output as Element>::Over<L> {
-        match left {
-            Linear::Matrix(rows) => <X::Over<L> as ops::Outermorphism<Y::Over<L>>>::image(&rows, y),
-            Linear::Versor(x, multiple) => ops::ApplyUnit::apply_with(x, multiple, y),
-        }
-    }
+one_on_many! {
+    /// Versor application by the versor and the multiple whose reverse is its inverse.
+    ByVersor keeps (X::Over<L>, <X::Over<L> as ops::Versor>::Multiple):
+    |versor| (versor, ops::Versor::over_norm(versor)),
+    |kept, y| ops::ApplyUnit::apply_with(kept.0, kept.1, y)
 }

@@ -1,7 +1,8 @@
 //! Products, versors, involutions: what has a value for every element.
 
 use ga_core::Unit;
-use ga_lanes::{Batch, LengthMismatch, One};
+use ga_core::ops::{ApplyUnit, Outermorphism, Versor};
+use ga_lanes::{Batch, LengthMismatch, Number, One};
 
 use super::plane;
 use super::r3;
@@ -166,14 +167,22 @@ fn unit_versors_apply_as_single_ones_do() {
     });
 }
 
-/// One versor on every element by its matrix, against matrices of single numbers.
+/// One versor on every element, against matrices of single numbers where there are enough elements
+/// for one.
 macro_rules! linear {
     ($($float:ident $algebra:ident $Versor:ident $Operand:ident;)*) => {{$(
-        for len in LENGTHS {
+        // The last is long enough for a matrix.
+        for len in LENGTHS.into_iter().chain([1003]) {
             let versor = elements::<$algebra::$Versor<$float>>(1, 21)[0];
             let operands = elements::<$algebra::$Operand<$float>>(len, 22);
             let map = versor.linear_map::<$algebra::$Operand<$float>>();
-            let expected: Vec<_> = operands.iter().map(|x| map.apply(*x)).collect();
+            let least = <$algebra::$Versor<$float> as Outermorphism<$algebra::$Operand<$float>>>::WORTHWHILE;
+            let by_matrix = least.is_some_and(|least| len >= least * <$float as Number>::LINE);
+            let image = |x: &$algebra::$Operand<$float>| match by_matrix {
+                true => map.apply(*x),
+                false => versor.apply_with(versor.over_norm(), *x),
+            };
+            let expected: Vec<_> = operands.iter().map(image).collect();
             let mut batch = Batch::from_slice(&operands);
             assert_same(&One(versor).apply_linear(&batch), &expected, "linear");
             for former in [0, 40] {
