@@ -184,8 +184,18 @@ maps! {
     RightComplement right_complement
     /// The squared norm `⟨X X̃⟩` with its sign.
     NormSquared norm_squared
+}
+
+/// Exponentials.
+pub trait Exponential {
+    /// The smallest declared type that holds the result.
+    type Output;
+    /// Whether the computation is so long that lanes do not inline it: batches then run it in the
+    /// lanes of every machine.
+    #[doc(hidden)]
+    const LONG: bool = false;
     /// The exponential.
-    Exponential exp
+    fn exp(self) -> Self::Output;
 }
 
 /// Multiplicative inverses.
@@ -199,6 +209,10 @@ pub trait Inverse: Sized {
     type Number: Field;
     /// The type of the inverse.
     type Output: Copy;
+    /// Whether the computation is so long that lanes do not inline it: batches then run it in the
+    /// lanes of every machine.
+    #[doc(hidden)]
+    const LONG: bool = false;
     /// The number that the adjugate is divided by; zero where there is no inverse.
     fn determinant(self) -> Self::Number;
     /// The inverse times the determinant.
@@ -207,19 +221,21 @@ pub trait Inverse: Sized {
     fn scale(adjugate: Self::Output, factor: Self::Number) -> Self::Output;
 
     /// The inverse, if there is one.
-    #[inline]
+    #[inline(always)]
     fn inverse(self) -> Option<Self::Output>
     where
         Self: Copy,
     {
         let determinant = self.determinant();
-        determinant
-            .is_invertible()
-            .then(|| Self::scale(self.adjugate(), <Self::Number as Scalar>::ONE / determinant))
+        if !determinant.is_invertible() {
+            return None;
+        }
+        let factor = <Self::Number as Scalar>::ONE / determinant;
+        Some(Self::scale(self.adjugate(), factor))
     }
 
     /// The inverse without the question whether it exists; non-finite where it does not.
-    #[inline]
+    #[inline(always)]
     fn reciprocal(self) -> Self::Output
     where
         Self: Copy,
@@ -236,6 +252,10 @@ pub trait Inverse: Sized {
 pub trait Logarithm {
     /// The type of the generator.
     type Output;
+    /// Whether the computation is so long that lanes do not inline it: batches then run it in the
+    /// lanes of every machine.
+    #[doc(hidden)]
+    const LONG: bool = false;
     /// The principal logarithm of the versor over its norm; `None` where there is no real one
     /// or it is not unique, and for what is no versor.
     fn log(self) -> Option<Self::Output>;
@@ -253,6 +273,10 @@ pub trait Logarithm {
 pub trait SquareRoot: Sized {
     /// The type of the root.
     type Output;
+    /// Whether the computation is so long that lanes do not inline it: batches then run it in the
+    /// lanes of every machine.
+    #[doc(hidden)]
+    const LONG: bool = false;
     /// The principal square root; `None` where there is no real one or it is not unique, and
     /// for what is no versor.
     fn sqrt(self) -> Option<Self::Output>;

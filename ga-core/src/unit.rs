@@ -219,6 +219,7 @@ impl<V: ApplyUnit<X>, X> Apply<X> for Unit<V> {
 
 impl<V: Logarithm> Logarithm for Unit<V> {
     type Output = V::Output;
+    const LONG: bool = V::LONG;
 
     #[inline(always)]
     fn log(self) -> Option<V::Output> {

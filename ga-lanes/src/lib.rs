@@ -31,7 +31,11 @@
 //!
 //! The portable target computes what single elements do, number for number, wherever the compiler
 //! fuses neither; the others round a multiply-add once. What lies in one element never reaches
-//! another one.
+//! another one, not even by a rounding.
+//!
+//! # One on many
+//! [`One`] element has the operations of a batch. One versor on many elements is fastest as a
+//! matrix, which [`One::apply_linear`] builds once.
 //!
 //! # Elements in slices
 //! For single elements and slices of them the compiler decides alone. The default x86-64 target
@@ -42,9 +46,10 @@
 //! one another.
 //!
 //! # Limits
-//! Exponentials, and what has no value for some elements, run in the portable lanes on every
-//! machine: their algorithms are too long to be inlined, and in wider lanes each operation would
-//! be a call; a function of one's own that contains one is slow for the same reason.
+//! Exponentials, logarithms and roots by iteration, as in six dimensions, and inverses by recursion
+//! over a whole algebra run in the portable lanes on every machine: they are too long to be inlined,
+//! and in wider lanes each of their operations would be a call. A function of one's own that
+//! contains one is slow for that reason.
 //!
 //! Numbers are `f32` and `f64`. In builds for debugging lanes are slower than single elements.
 //! With the feature `rayon` batches of some thousand elements on are spread over all cores, with
@@ -54,9 +59,9 @@
 //! This crate is the only one of the project with any, because the instructions of a target are
 //! not safe to call where the compiler does not know the target, and operators on lanes are such a
 //! place. It is in the operators on vectors, in the call of the function that is compiled for a
-//! target, in the access to columns of whole cache lines, and in the transposing of [`slices`],
-//! each with its reason. Vectors cannot be had outside of a kernel, and kernels run on targets that
-//! were found only.
+//! target, in the access to columns of whole cache lines and in their split between threads, and
+//! in the transposing of [`slices`], each with its reason. Vectors cannot be had outside of a
+//! kernel, and kernels run on targets that were found only.
 
 mod batch;
 mod dispatch;

@@ -13,6 +13,7 @@ use crate::batch::Batch;
 use crate::number::Number;
 use crate::operand::{One, Operand};
 use crate::operation::{Everywhere, Values};
+use crate::target::Target;
 use crate::task::{Fill, Part, Replace, execute};
 
 /// The values of an operation `O` on elements `X` and `Y`.
@@ -21,6 +22,16 @@ pub type Of<O, X, Y> = <O as Values<X, Y>>::Output;
 /// What an element has next to it where an operation needs no second one.
 const fn nothing<F: Scalar>() -> One<F> {
     One(F::ZERO)
+}
+
+/// Calls a function on the current target; a long computation on the portable one, because in the
+/// wider lanes what is not inlined calls a function for every operation.
+fn in_lanes(long: bool, function: impl FnOnce()) {
+    // The portable target is on every machine.
+    match long {
+        true => Target::Portable.scope(function).unwrap_or_default(),
+        false => function(),
+    }
 }
 
 /// Fills a batch, which takes the length, with the values of an operation.
@@ -38,12 +49,13 @@ fn fill<A, B, O, F>(
 {
     out.resize(len);
     let columns = out.view_mut();
-    execute::<F, _>(Fill {
+    let task = Fill {
         a,
         b,
         operation,
         part: Part { columns, start: 0 },
-    });
+    };
+    in_lanes(O::LONG, || execute::<F, _>(task));
 }
 
 /// Replaces the elements of a batch by the values of an operation.

@@ -39,6 +39,8 @@ pub trait ZipMap<X: Element<Number: Number>, Y: Element<Number = X::Number>>: Sy
 pub trait Values<X, Y> {
     /// The type.
     type Output: Element;
+    /// Whether it is too long to be inlined into the function of a target.
+    const LONG: bool = false;
 }
 
 /// An operation on two elements in lanes `L`. One on a single element has it on the right, and a

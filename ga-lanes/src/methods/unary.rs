@@ -2,7 +2,7 @@
 
 use ga_core::Element;
 
-use super::{Of, fill, nothing};
+use super::{Of, fill, in_lanes, nothing};
 use crate::batch::Batch;
 use crate::number::Number;
 use crate::operation::fallible::{self, Attempt, AttemptEverywhere};
@@ -73,7 +73,8 @@ macro_rules! attempts {
                 let mut exists = vec![false; self.len()];
                 let (operation, columns) = (&fallible::$name, values.view_mut());
                 let part = Part { columns, start: 0 };
-                execute::<F, _>(Try { from: self, operation, part, exists: &mut exists });
+                let task = Try { from: self, operation, part, exists: &mut exists };
+                in_lanes(<fallible::$name as Attempt<X>>::LONG, || execute::<F, _>(task));
                 Partial::new(values, exists)
             }
         )*}

@@ -10,6 +10,8 @@ use crate::number::{Wide, Widest};
 pub trait Attempt<X> {
     /// The type.
     type Output: Element;
+    /// Whether it is too long to be inlined into the function of a target.
+    const LONG: bool = false;
 }
 
 /// An attempt in lanes `L`: the values, where all lanes have one.
@@ -55,12 +57,13 @@ impl<X: Element, F: Number, O> AttemptEverywhere<X, F> for O where
 }
 
 macro_rules! attempts {
-    ($($name:ident: $trait:ident $method:ident)*) => {$(
+    ($($name:ident: $trait:ident $method:ident $(, $long:ident)?;)*) => {$(
         #[doc = concat!("The operation `", stringify!($method), "`.")]
         pub struct $name;
 
         impl<X: ops::$trait<Output: Element>> Attempt<X> for $name {
             type Output = X::Output;
+            $(const LONG: bool = X::$long;)?
         }
 
         impl<X, L> AttemptIn<X, L> for $name
@@ -78,9 +81,9 @@ macro_rules! attempts {
 }
 
 attempts! {
-    Logarithm: Logarithm log
-    SquareRoot: SquareRoot sqrt
-    Renormalize: Renormalize renormalized
+    Logarithm: Logarithm log, LONG;
+    SquareRoot: SquareRoot sqrt, LONG;
+    Renormalize: Renormalize renormalized;
 }
 
 /// The multiplicative inverse.
@@ -88,6 +91,7 @@ pub struct Inverse;
 
 impl<X: Element + ops::Inverse<Output: Element>> Attempt<X> for Inverse {
     type Output = X::Output;
+    const LONG: bool = X::LONG;
 }
 
 impl<X, L> AttemptIn<X, L> for Inverse

@@ -59,7 +59,7 @@ binary! {
 }
 
 macro_rules! unary {
-    ($($name:ident: $trait:ident $method:ident from $($path:ident)::*;)*) => {$(
+    ($($name:ident: $trait:ident $method:ident from $($path:ident)::* $(, $long:ident)?;)*) => {$(
         #[doc = concat!("The operation `", stringify!($method), "`.")]
         pub struct $name;
 
@@ -68,6 +68,7 @@ macro_rules! unary {
             X: Element + $($path)::*::$trait<Output: Element>,
         {
             type Output = X::Output;
+            $(const LONG: bool = <X as ops::$trait>::$long;)?
         }
 
         impl<X, L> Operation<X::Number, X, L> for $name
@@ -102,7 +103,7 @@ unary! {
     LeftComplement: LeftComplement left_complement from ops;
     RightComplement: RightComplement right_complement from ops;
     NormSquared: NormSquared norm_squared from ops;
-    Exponential: Exponential exp from ops;
+    Exponential: Exponential exp from ops, LONG;
     Opposite: Neg neg from core::ops;
 }
 

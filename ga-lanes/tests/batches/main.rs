@@ -2,6 +2,7 @@
 
 mod attempts;
 mod container;
+mod forms;
 mod functions;
 mod neighbours;
 mod operations;
@@ -34,3 +35,20 @@ ga_macros::define_algebra! {
 }
 
 ga_macros::define_algebra! { crate = ga_core; R3 }
+
+ga_macros::define_algebra! {
+    crate = ga_core;
+    /// Plane-based geometry of space.
+    mod space: R3_0_1 {
+        basis { e0, e1, e2, e3 }
+        metric { e1^2 = 1, e2^2 = 1, e3^2 = 1, e0^2 = 0 }
+        types {
+            /// Any bivector.
+            Line = grade 2;
+            /// A rigid motion.
+            Motor { 1, e23, e31, e12, e01, e02, e03, e0123 }
+            /// A multiple of the pseudoscalar.
+            Pseudoscalar { e0123 }
+        }
+    }
+}

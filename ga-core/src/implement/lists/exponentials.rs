@@ -10,6 +10,7 @@ macro_rules! widened_exponential {
             $Wide<T>: $crate::ops::Exponential + ::core::convert::From<$Name<T>>,
         {
             type Output = <$Wide<T> as $crate::ops::Exponential>::Output;
+            const LONG: bool = <$Wide<T> as $crate::ops::Exponential>::LONG;
             $crate::inlined! {
                 /// The exponential of the same element without fixed coefficients, at its cost.
                 fn exp(self) -> Self::Output {
@@ -27,6 +28,7 @@ macro_rules! series_exponential {
     ($Name:ident => $Output:ident $doc:literal) => {
         impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
             type Output = $Output<T>;
+            const LONG: bool = true;
             #[doc = $doc]
             fn exp(self) -> $Output<T> {
                 $crate::algorithm::exponential($Output::from(self))

@@ -38,6 +38,7 @@ macro_rules! general_inverse {
         impl<T: $crate::Field> $crate::ops::Inverse for $Name<T> {
             type Number = T;
             type Output = $Output<T>;
+            const LONG: bool = true;
             $crate::inlined! {
                 #[doc = $doc]
                 fn determinant(self) -> T {

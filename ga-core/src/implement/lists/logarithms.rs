@@ -8,6 +8,7 @@ macro_rules! iterated_functions {
     ($Name:ident => $Even:ident $Bivector:ident $log:literal $sqrt:literal) => {
         impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
             type Output = $Bivector<T>;
+            const LONG: bool = true;
             #[doc = $log]
             fn log(self) -> ::core::option::Option<$Bivector<T>> {
                 $crate::algorithm::principal_logarithm::<$Even<T>, _>($Even::from(self))
@@ -15,6 +16,7 @@ macro_rules! iterated_functions {
         }
         impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {
             type Output = $Even<T>;
+            const LONG: bool = true;
             #[doc = $sqrt]
             fn sqrt(self) -> ::core::option::Option<$Even<T>> {
                 $crate::algorithm::principal_square_root::<$Even<T>, $Bivector<T>>($Even::from(
