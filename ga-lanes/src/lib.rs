@@ -31,7 +31,8 @@
 //!
 //! The portable target computes what single elements do, number for number, wherever the compiler
 //! fuses neither; the others round a multiply-add once. What lies in one element never reaches
-//! another one, not even by a rounding.
+//! another one, except that general logarithms take as many halvings as the neighbour that takes
+//! most, which changes roundings.
 //!
 //! # One on many
 //! [`One`] element has the operations of a batch. One versor on many elements is fastest as a

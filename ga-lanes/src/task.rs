@@ -67,10 +67,11 @@ where
         let (a, b) = (self.a.reader::<L>(), self.b.reader::<L>());
         let count = columns.arrays::<O::Output, L>();
         let readable = a.count().min(b.count()).saturating_sub(first);
-        let constant = match a.constant() {
-            Some(x) => Some(O::left(x)),
-            None => None,
-        };
+        // A call of `map` would not be inlined.
+        let mut constant = None;
+        if let Some(x) = a.constant() {
+            constant = Some(O::left(x));
+        }
         for index in 0..count.min(readable) {
             let x = match constant {
                 Some(x) => x,
@@ -112,10 +113,11 @@ where
         let a = self.a.reader::<L>();
         let count = columns.arrays::<Y, L>();
         let readable = a.count().saturating_sub(first);
-        let constant = match a.constant() {
-            Some(x) => Some(O::left(x)),
-            None => None,
-        };
+        // A call of `map` would not be inlined.
+        let mut constant = None;
+        if let Some(x) = a.constant() {
+            constant = Some(O::left(x));
+        }
         for index in 0..count.min(readable) {
             let x = match constant {
                 Some(x) => x,
