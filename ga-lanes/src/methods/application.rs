@@ -53,7 +53,7 @@ where
     /// use r3::{Even, Vector};
     ///
     /// let vectors: Batch<Vector> = (0..100).map(|n| Vector::new(n as f64, 1.0, 2.0)).collect();
-    /// let half = Even::new(0.0, 3.0, 0.0, 0.0);
+    /// let half = Even::new(0.0, 2.0, 0.0, 0.0);
     /// let turned = One(half).apply_linear(&vectors);
     /// assert_eq!(turned.get(7), Some(Vector::new(-7.0, -1.0, 2.0)));
     /// ```
