@@ -47,8 +47,7 @@ where
 
 /// The exponential of a bivector with `W² = 0`, as generators of motors are: C(a + W) is
 /// C(a) + C′(a) W, and C′ = S/2.
-#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
-#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+#[inline(always)]
 pub fn motor_exponential<T, A, Q, R>(bivector: A) -> R
 where
     T: Real,

@@ -2,7 +2,7 @@
 
 use super::exponential::exponential_parts;
 use super::normalise::{Commutators, OverNorm};
-use super::parts::{Bivectors, Fourvectors, Parts, combined, finite, outer_square, turned};
+use super::parts::{Bivectors, Fourvectors, Parts, combined, copied, finite, outer_square, turned};
 use super::separation::{Separation, Turn, TurnFunctions, Values, nearness};
 use super::study::Study;
 use crate::ops::Element;
@@ -112,8 +112,7 @@ where
 
 /// The logarithm of a versor whose four-vector part squares to zero, as that of a motor does:
 /// there f(c + V) = f(c) + f′(c) V.
-#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
-#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+#[inline(always)]
 pub fn motor_logarithm<T, X, A, Q>(
     versor: X,
     commutators: Commutators<impl Fn(A, Q) -> Q, impl Fn(Q, Q) -> A>,
@@ -125,19 +124,18 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     let parts = Parts::<T, A, Q>::of(versor);
-    match parts.is_unit(&commutators) {
-        true => motor_of_unit_parts(parts),
-        false => {
-            let (unit, _) = T::outlined(OverNorm(parts, &commutators))?;
-            motor_of_unit_parts(unit)
-        }
-    }
+    let unit = match parts.is_unit(&commutators) {
+        true => parts,
+        false => T::outlined(OverNorm(parts.copied(), &commutators))?
+            .0
+            .copied(),
+    };
+    motor_of_unit_parts(unit)
 }
 
 /// The logarithm of a versor that is promised to be a unit one, and whose four-vector part
 /// squares to zero.
-#[cfg_attr(not(all(feature = "inlined", not(debug_assertions))), inline)]
-#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+#[inline(always)]
 pub fn motor_logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
 where
     T: Real,
@@ -159,11 +157,21 @@ where
     let square = unit.bivector.scalar_product(unit.bivector);
     let far = T::from_ratio(-1, 2).all_le(unit.scalar);
     if !(far || T::ZERO.all_le(nearness(unit.scalar, square))) {
-        return T::outlined(MotorNearTheEdge(unit));
+        return match T::outlined(MotorNearTheEdge(unit.copied())) {
+            Some(logarithm) => Some(copied(logarithm)),
+            None => None,
+        };
     }
     let (factor, slope) = unit.scalar.log_factor_slope(square)?;
-    let turned = turned(unit.fourth, unit.bivector);
-    finite(combined(unit.bivector, factor, turned, slope))
+    // The slope times the four-vector, which has fewer coefficients than the bivector.
+    let turned = turned(unit.fourth.geometric(slope), unit.bivector);
+    let logarithm = A::from_fn(|i| unit.bivector.at(i) * factor + turned.at(i));
+    // Factor and slope are small away from the edge: what is not near overflow need not be asked.
+    let far_below_overflow = (unit.size() * T::from_integer(1024)).is_finite();
+    match far_below_overflow {
+        true => Some(logarithm),
+        false => finite(logarithm),
+    }
 }
 
 /// The same where lanes may be near −1.

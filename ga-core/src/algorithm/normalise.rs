@@ -161,7 +161,7 @@ where
 
     /// The sum of the squares of the coefficients.
     #[inline(always)]
-    fn size(&self) -> T {
+    pub(super) fn size(&self) -> T {
         let parts = sum_of_squares(&self.bivector) + sum_of_squares(&self.fourth);
         self.scalar * self.scalar + parts
     }

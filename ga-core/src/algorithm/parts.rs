@@ -8,7 +8,7 @@ use crate::ops::{Element, Geometric, Inner, ScalarProduct, Wedge};
 use crate::{Blade, Real, Scalar};
 
 /// The general element whose scalar part is a number.
-#[inline]
+#[inline(always)]
 pub(super) fn scalar<M: Element>(value: M::Number) -> M {
     M::from_fn(|i| {
         if M::BLADES[i].0.mask() == 0 {
@@ -124,6 +124,16 @@ where
         }
     }
 
+    /// These parts in a place of their own: see [`copied`].
+    #[inline(always)]
+    pub(super) fn copied(&self) -> Self {
+        Parts {
+            scalar: self.scalar,
+            bivector: copied(self.bivector),
+            fourth: copied(self.fourth),
+        }
+    }
+
     /// Whether what is computed from this unit versor needs no proof that it leads back to it: the
     /// scalar is not below −1. Minus a boost is there, whose planes are left open: the rounding of
     /// its four-vector part would choose them, and not well.
@@ -198,16 +208,28 @@ pub(super) fn combined<A: Element>(one: A, factor: A::Number, other: A, share: A
     A::from_fn(|i| (one.at(i) * factor).plus_product(other.at(i), share))
 }
 
+/// The element, coefficient by coefficient.
+///
+/// What a call that is not inlined takes and gives stands in memory; a copy of its own leaves the
+/// element itself, where that call is not made, in registers.
+#[inline(always)]
+pub(super) fn copied<M: Element>(element: M) -> M {
+    M::from_fn(|i| element.at(i))
+}
+
 /// The element, if all its coefficients are finite.
 #[inline(always)]
 pub(super) fn finite<M: Element<Number: Real>>(element: M) -> Option<M> {
-    // No closures here and below: they would not be inlined into lanes.
+    // A number times zero is zero, and else not a number: one question for all coefficients. No
+    // closures here and below: they would not be inlined into lanes.
+    let mut zero = M::Number::ZERO;
     for i in 0..M::BLADES.len() {
-        if !element.at(i).is_finite() {
-            return None;
-        }
+        zero = zero.plus_product(element.at(i), M::Number::ZERO);
     }
-    Some(element)
+    match zero.is_finite() {
+        true => Some(element),
+        false => None,
+    }
 }
 
 /// The sum of the absolute values of the coefficients.

@@ -49,14 +49,10 @@ pub trait Precision: Elementary + Lanes<Float = Self, Mask = bool> + Neg<Output 
     const EXPONENTIAL: &'static [Self];
     /// (2 artanh t − 2t)/t³ in t², for |t| ≤ 3 − 2√2.
     const LOGARITHM: &'static [Self];
-    /// (C(a) − 1)/a in a, for −π²/4 ≤ a ≤ 1, with C(a) = cosh √a.
-    const COSH: &'static [Self];
-    /// (S(a) − 1)/a in a, for −π²/4 ≤ a ≤ 1, with S(a) = sinh √a/√a.
+    /// (S(a) − 1)/a in a, for −π² ≤ a ≤ 1, with S(a) = sinh √a/√a.
     const SINHC: &'static [Self];
-    /// S′(a) in a, for −π²/4 ≤ a ≤ 1.
+    /// S′(a) in a, for −π² ≤ a ≤ 1; the error is that of 2a S′(a).
     const SINHC_SLOPE: &'static [Self];
     /// (f(c) − 1)/x in x = 1 − c, for 0 ≤ c ≤ 9/8, with f(cos θ) = θ/sin θ.
     const ARC: &'static [Self];
-    /// f′(c) in x = 1 − c, for 0 ≤ c ≤ 9/8.
-    const ARC_SLOPE: &'static [Self];
 }

@@ -2,9 +2,12 @@
 the exchange algorithm of Remez, in sixty digits. Needs mpmath; run as `python3 coefficients.py`.
 
 For each polynomial: name, precision, and the largest error after rounding its coefficients, with
-the weight that makes it an error of the function that is made of it.
+the weight that makes it an error of the function that is made of it. Where arguments are large, so
+are the errors of rounded coefficients; there these are moved by single units in the last place as
+long as that makes the largest error smaller.
 """
 
+import math
 import struct
 
 from mpmath import acos, acosh, atan, cos, cosh, exp, factorial, log, lu_solve, matrix, mp, mpf, pi, sin, sinh, sqrt
@@ -49,17 +52,12 @@ def of_root(function):
 
 
 TERMS = range(12)
-COSH = near_zero([1 / factorial(2 * n + 2) for n in TERMS], lambda a: (cosh_root(a) - 1) / a)
 SINHC = near_zero([1 / factorial(2 * n + 3) for n in TERMS], lambda a: (sinhc_root(a) - 1) / a)
 SINHC_SLOPE = near_zero(
     [(n + 1) / factorial(2 * n + 3) for n in TERMS],
     lambda a: (cosh_root(a) - sinhc_root(a)) / (2 * a),
 )
 ARC = near_zero(ARC_SERIES[1:], lambda x: (arc(x) - 1) / x)
-ARC_SLOPE = near_zero(
-    [-n * c for n, c in enumerate(ARC_SERIES)][1:],
-    lambda x: (1 - (1 - x) * arc(x)) / ((1 - x) ** 2 - 1),
-)
 EXPONENTIAL = near_zero([1 / factorial(n + 2) for n in TERMS], lambda r: (exp(r) - 1 - r) / r**2)
 LOGARITHM = near_zero(
     [mpf(2) / (2 * n + 3) for n in TERMS],
@@ -111,11 +109,35 @@ def evaluate(coefficients, x):
     return sum(c * x**n for n, c in enumerate(coefficients))
 
 
-def show(name, function, weight, low, high, counts):
+def settled(coefficients, digits, function, weight, xs):
+    """The coefficients after moves of one or two of them by a unit in the last place, each of which
+    makes the largest error smaller."""
+    units = [mpf(2) ** (math.frexp(float(c))[1] - digits) for c in coefficients]
+    errors = [float(weight(x) * (evaluate(coefficients, x) - function(x))) for x in xs]
+    steps = [[float(weight(x) * u * x**n) for x in xs] for n, u in enumerate(units)]
+    single_moves = [((n, sign),) for n in range(len(units)) for sign in (-1, 1)]
+    pairs = [(a, b) for (a,) in single_moves for (b,) in single_moves if a[0] > b[0]]
+    improved = True
+    while improved:
+        improved = False
+        for move in single_moves + pairs:
+            moved = errors
+            for n, sign in move:
+                moved = [e + sign * step for e, step in zip(moved, steps[n])]
+            if max(map(abs, moved)) < 0.999 * max(map(abs, errors)):
+                errors, improved = moved, True
+                for n, sign in move:
+                    coefficients[n] += sign * units[n]
+    return coefficients
+
+
+def show(name, function, weight, low, high, counts, settle=False):
     low, high = mpf(low), mpf(high)
-    for kind, rounded, count in (("f64", double, counts[0]), ("f32", single, counts[1])):
+    for kind, rounded, digits, count in (("f64", double, 53, counts[0]), ("f32", single, 24, counts[1])):
         coefficients = [rounded(c) for c in minimax(function, weight, low, high, count)]
         xs = [low + (high - low) * k / 300 for k in range(301)]
+        if settle:
+            coefficients = settled(coefficients, digits, function, weight, xs)
         error = max(abs(weight(x) * (evaluate(coefficients, x) - function(x))) for x in xs)
         print(f"{name} {kind}: error {mp.nstr(error, 1)}")
         for c in coefficients:
@@ -126,12 +148,10 @@ def size(x):
     return abs(x) + mpf(10) ** -6
 
 
-START, END = -((pi / 2) ** 2) - mpf("0.01"), 1
-show("COSH", COSH, size, START, END, (9, 5))
-show("SINHC", SINHC, size, START, END, (8, 4))
-show("SINHC_SLOPE", SINHC_SLOPE, lambda a: 6, START, END, (9, 5))
+START, END = -(pi**2) - mpf("0.01"), 1
+show("SINHC", SINHC, size, START, END, (10, 6), settle=True)
+show("SINHC_SLOPE", SINHC_SLOPE, lambda a: 2 * size(a), START, END, (11, 6), settle=True)
 show("ARC", ARC, lambda x: size(x) / (1 + x * ARC(x)), mpf(-1) / 8, 1, (22, 9))
-show("ARC_SLOPE", ARC_SLOPE, lambda x: 1 / abs(ARC_SLOPE(x)), mpf(-1) / 8, 1, (24, 11))
 END = log(2) / 2 + mpf("0.001")
 show("EXPONENTIAL", EXPONENTIAL, lambda r: r * r + SMALL, -END, END, (11, 5))
 END = ((sqrt(2) - 1) / (sqrt(2) + 1)) ** 2 * mpf("1.01")

@@ -14,18 +14,33 @@ pub(super) fn polynomial<L: Lanes>(x: L, coefficients: &[L::Float]) -> L {
     }
 }
 
+/// The same for arguments far from zero, where even and odd powers would cancel: the two lowest
+/// coefficients, which have the largest part in the sum, by Horner's scheme.
+#[inline(always)]
+pub(super) fn long_polynomial<L: Lanes>(x: L, coefficients: &[L::Float]) -> L {
+    match coefficients {
+        [first, second, others @ ..] => {
+            let sum = L::splat(*second).plus_product(x, polynomial(x, others));
+            L::splat(*first).plus_product(x, sum)
+        }
+        _ => polynomial(x, coefficients),
+    }
+}
+
 /// The polynomial with the first coefficient and every other one from there; zero with none.
 ///
-/// A loop, because lanes want no closure: it would not be inlined.
+/// A loop over positions: closures would not be inlined into lanes, and loops over iterators of
+/// every other element not be unrolled.
 #[inline(always)]
 fn every_other<L: Lanes>(square: L, coefficients: &[L::Float]) -> L {
-    let mut own = coefficients.iter().step_by(2).rev();
-    let Some(last) = own.next() else {
+    let Some(last) = coefficients.len().checked_sub(1) else {
         return L::ZERO;
     };
-    let mut sum = L::splat(*last);
-    for coefficient in own {
-        sum = L::splat(*coefficient).plus_product(sum, square);
+    let mut position = last / 2 * 2;
+    let mut sum = L::splat(coefficients[position]);
+    while position > 0 {
+        position -= 2;
+        sum = L::splat(coefficients[position]).plus_product(sum, square);
     }
     sum
 }

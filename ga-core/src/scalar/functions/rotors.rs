@@ -3,109 +3,109 @@
 
 use super::exponential::half_exp;
 use super::logarithm::ln;
-use super::polynomial::polynomial;
+use super::polynomial::{long_polynomial, polynomial};
 use super::{constant, nearest_integer, parity};
-use crate::Scalar;
 use crate::scalar::elementary::Elementary;
 use crate::scalar::lanes::Lanes;
 use crate::scalar::precision::Precision;
+use crate::{Computation, Scalar};
 
-/// The arguments of C and S that their polynomials reach: from −π²/4 to 1.
-const NEAR: [f64; 2] = [-2.4674, 1.0];
+/// The arguments of C and S that their polynomials reach: turns of a bivector by up to π, which is
+/// a whole turn of what its exponential is applied to, and boosts by up to 1.
+const NEAR: [f64; 2] = [-9.8696, 1.0];
 
 /// C(a) = cosh √a and S(a) = sinh √a/√a.
 #[inline(always)]
 pub fn cosh_sinhc<L: Lanes>(a: L) -> (L, L) {
-    let argument = Argument::of(a);
-    let square = argument.square;
-    let cosh = L::ONE.plus_product(square, polynomial(square, L::Float::COSH));
-    let sinhc = L::ONE.plus_product(square, polynomial(square, L::Float::SINHC));
-    let (cosh, sinhc, _) = argument.completed(cosh, sinhc, L::ZERO);
+    let (cosh, sinhc, _) = cosh_sinhc_slope(a);
     (cosh, sinhc)
 }
 
 /// C, S and S′ at a; the derivative of C is S/2.
+///
+/// Within reach of the polynomials there is no root, no quotient, and no branch but the one that
+/// asks for that.
 #[inline(always)]
 pub fn cosh_sinhc_slope<L: Lanes>(a: L) -> (L, L, L) {
-    let argument = Argument::of(a);
-    let square = argument.square;
-    let sinhc = L::ONE.plus_product(square, polynomial(square, L::Float::SINHC));
-    let slope = polynomial(square, L::Float::SINHC_SLOPE);
-    // C = S + 2a S′.
-    let cosh = sinhc.plus_product(square + square, slope);
-    argument.completed(cosh, sinhc, slope)
-}
-
-/// An argument of C and S, reduced by half turns to where the polynomials reach.
-struct Argument<L: Lanes> {
-    given: L,
-    /// The square of which C and S are taken.
-    square: L,
-    /// What is done with them where the argument is reduced: where, its root, that of the reduced
-    /// one, and by how many half turns they differ.
-    turned: Option<(L::Mask, L, L, L)>,
-}
-
-impl<L: Lanes> Argument<L> {
-    #[inline(always)]
-    fn of(given: L) -> Self {
-        let turned = given.is_less(constant(NEAR[0]));
-        if !L::any(turned) {
-            return Argument {
-                given,
-                square: given,
-                turned: None,
-            };
-        }
-        let root = (-given).square_root();
-        let half_turns = nearest_integer(root * constant(core::f64::consts::FRAC_1_PI));
-        let near = half_turns.is_at_most(constant::<L>(0.5) * L::splat(L::Float::MOST_TURNS));
-        let mut rest = root;
-        for part in L::Float::HALF_PI {
-            let part = L::splat(*part);
-            rest = rest.minus_product(half_turns, part + part);
-        }
-        let mut half_turns = L::select(near, half_turns, L::ZERO);
-        // Of larger angles hardly a digit is known; they are reduced by the library.
-        if !L::all(near | !turned) {
-            let (far, far_turns) = reduced_by_library(root);
-            rest = L::select(near, rest, far);
-            half_turns = L::select(near, half_turns, far_turns);
-        }
-        Argument {
-            given,
-            square: L::select(turned, -(rest * rest), given),
-            turned: Some((turned, root, rest, half_turns)),
-        }
+    let reached = constant::<L>(NEAR[0]).is_at_most(a) & a.is_at_most(constant(NEAR[1]));
+    match L::all(reached) {
+        true => near(a),
+        false => L::outlined(Far(a)),
     }
+}
 
-    /// C, S and S′ of the argument from those of the reduced one.
-    #[inline(always)]
-    fn completed(self, cosh: L, sinhc: L, slope: L) -> (L, L, L) {
-        let (mut cosh, mut sinhc, mut slope) = (cosh, sinhc, slope);
-        // S′ = (C − S)/(2a).
-        let twice = self.given + self.given;
-        if let Some((turned, root, rest, half_turns)) = self.turned {
-            let odd = L::ZERO.is_less(parity(half_turns)) & turned;
-            cosh = L::select(odd, -cosh, cosh);
-            sinhc = L::select(odd, -sinhc, sinhc);
-            sinhc = L::select(turned, sinhc * (rest / root), sinhc);
-            slope = L::select(turned, (cosh - sinhc) / twice, slope);
-        }
-        let boost = constant::<L>(NEAR[1]).is_less(self.given);
+/// S = 1 + a P and S′ by polynomials, C = S + 2a S′.
+#[inline(always)]
+fn near<L: Lanes>(a: L) -> (L, L, L) {
+    let sinhc = L::ONE.plus_product(a, long_polynomial(a, L::Float::SINHC));
+    let slope = long_polynomial(a, L::Float::SINHC_SLOPE);
+    (sinhc.plus_product(a + a, slope), sinhc, slope)
+}
+
+/// C, S and S′ where some lane is out of reach, or is not a number.
+struct Far<L>(L);
+
+impl<L: Lanes> Computation for Far<L> {
+    type Output = (L, L, L);
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> (L, L, L) {
+        let Far(a) = self;
+        let turned = a.is_less(constant(NEAR[0]));
+        let boost = constant::<L>(NEAR[1]).is_less(a);
+        let (mut cosh, mut sinhc, mut slope) = match L::any(turned) {
+            true => turned_further(a, turned),
+            false => near(a),
+        };
         if L::any(boost) {
             let end = L::splat(L::Float::ENDLESS);
-            let square = L::select((end * end).is_less(self.given), end * end, self.given);
+            let square = L::select((end * end).is_less(a), end * end, a);
             let root = square.square_root();
             let half = half_exp(root);
             let quarter = constant::<L>(0.25) / half;
             let (far_cosh, far_sinhc) = (half + quarter, (half - quarter) / root);
             cosh = L::select(boost, far_cosh, cosh);
             sinhc = L::select(boost, far_sinhc, sinhc);
-            slope = L::select(boost, (far_cosh - far_sinhc) / twice, slope);
+            slope = L::select(boost, (far_cosh - far_sinhc) / (a + a), slope);
         }
         (cosh, sinhc, slope)
     }
+}
+
+/// C, S and S′ where some lanes are turned by more than the polynomials reach.
+#[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+fn turned_further<L: Lanes>(a: L, turned: L::Mask) -> (L, L, L) {
+    let root = (-a).square_root();
+    let (rest, half_turns) = without_half_turns(root, turned);
+    let (cosh, sinhc, slope) = near(L::select(turned, -(rest * rest), a));
+    let odd = L::ZERO.is_less(parity(half_turns)) & turned;
+    let cosh = L::select(odd, -cosh, cosh);
+    let sinhc = L::select(odd, -sinhc, sinhc);
+    let sinhc = L::select(turned, sinhc * (rest / root), sinhc);
+    let quotient = (cosh - sinhc) / (a + a);
+    (cosh, sinhc, L::select(turned, quotient, slope))
+}
+
+/// An angle without its half turns, in [−π/2, π/2], and a number that is odd where they are odd.
+#[inline(always)]
+fn without_half_turns<L: Lanes>(angle: L, turned: L::Mask) -> (L, L) {
+    let half_turns = nearest_integer(angle * constant(core::f64::consts::FRAC_1_PI));
+    let reached = half_turns.is_at_most(constant::<L>(0.5) * L::splat(L::Float::MOST_TURNS));
+    let mut rest = angle;
+    for part in L::Float::HALF_PI {
+        let part = L::splat(*part);
+        rest = rest.minus_product(half_turns, part + part);
+    }
+    let half_turns = L::select(reached, half_turns, L::ZERO);
+    if L::all(reached | !turned) {
+        return (rest, half_turns);
+    }
+    // Of larger angles hardly a digit is known; they are reduced by the library.
+    let (by_library, its_half_turns) = reduced_by_library(angle);
+    (
+        L::select(reached, rest, by_library),
+        L::select(reached, half_turns, its_half_turns),
+    )
 }
 
 /// The angle without its half turns, in [−π/2, π/2], and 1 where these are odd, lane by lane.
@@ -127,7 +127,7 @@ fn reduced_by_library<L: Lanes>(angle: L) -> (L, L) {
     (rest, half_turns)
 }
 
-/// The cosine up to which the polynomials of the logarithm reach.
+/// The cosine up to which the polynomial of the logarithm reaches, from 0.
 const FARTHEST: f64 = 1.125;
 
 /// The factor f(c) = θ/sin θ of c = cos θ for which `log(c + X) = f X`, given X² = c² − 1.
@@ -136,79 +136,90 @@ const FARTHEST: f64 = 1.125;
 /// 1, and for what is not finite.
 #[inline(always)]
 pub fn log_factor<L: Lanes>(c: L, square: L) -> Option<L> {
-    let arc = Arc::of(c, square)?;
-    let factor = L::ONE.plus_product(arc.distance, polynomial(arc.distance, L::Float::ARC));
-    Some(arc.completed(factor, L::ZERO)?.0)
+    let (factor, _) = log_factor_slope(c, square)?;
+    Some(factor)
 }
 
 /// The factor f(c) of the logarithm and its derivative along c² − X² = 1.
 #[inline(always)]
 pub fn log_factor_slope<L: Lanes>(c: L, square: L) -> Option<(L, L)> {
-    let arc = Arc::of(c, square)?;
-    let factor = L::ONE.plus_product(arc.distance, polynomial(arc.distance, L::Float::ARC));
-    let slope = polynomial(arc.distance, L::Float::ARC_SLOPE);
-    arc.completed(factor, slope)
+    // By how much the square of the norm exceeds 1, halved: rounding.
+    let excess = ((c * c - square) - L::ONE) * constant(0.5);
+    let ahead = L::ZERO.is_at_most(c) & c.is_at_most(constant(FARTHEST));
+    // Then X² is negative, or c far from zero.
+    let is_unit = excess.magnitude().is_at_most(constant(0.125));
+    match L::all(ahead & is_unit) {
+        true => Some(ahead_factor_slope(c, excess)),
+        false => L::outlined(FarFactor {
+            cosine: c,
+            square,
+            excess,
+        }),
+    }
 }
 
-/// A cosine and a square of one rotor.
-struct Arc<L> {
+/// f and f′ of a cosine in reach of the polynomial p: f = 1 + x p with x = 1 − c.
+///
+/// The slope (1 − c f)/X² is −x (1 − c p)/(x (1 + c)), of which x is left out. Over the norm, both
+/// cosine and factor become smaller by the excess to first order; that is done last, because what it
+/// takes is known last.
+#[inline(always)]
+fn ahead_factor_slope<L: Lanes>(cosine: L, excess: L) -> (L, L) {
+    let distance = L::ONE - cosine;
+    let share = L::ONE / (L::ONE + cosine);
+    let value = polynomial(distance, L::Float::ARC);
+    let slope = (L::ONE.minus_product(cosine, value)) * -share;
+    let factor = L::ONE.plus_product(distance, value);
+    let change = factor.plus_product(cosine, slope);
+    (factor.minus_product(change, excess), slope)
+}
+
+/// The same where some lane is behind a quarter of a turn, a boost, no versor, or not a number.
+struct FarFactor<L> {
     cosine: L,
     square: L,
-    /// 1 − |c|.
-    distance: L,
-    /// By how much the square of the norm exceeds 1, halved: rounding.
     excess: L,
 }
 
-impl<L: Lanes> Arc<L> {
-    #[inline(always)]
-    fn of(cosine: L, square: L) -> Option<Self> {
-        let half = constant::<L>(0.5);
-        let squared = cosine * cosine;
-        let excess = ((squared - square) - L::ONE) * half;
-        let size = squared + square.magnitude();
-        let unit = excess.magnitude().is_less(size * constant(0.25));
-        let exists = unit & (square.is_less(L::ZERO) | L::ZERO.is_less(cosine));
+impl<L: Lanes> Computation for FarFactor<L> {
+    type Output = Option<(L, L)>;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Option<(L, L)> {
+        let FarFactor {
+            cosine,
+            square,
+            excess,
+        } = self;
+        let size = cosine * cosine + square.magnitude();
+        let is_unit = excess.magnitude().is_less(size * constant(0.25));
+        let exists = is_unit & (square.is_less(L::ZERO) | L::ZERO.is_less(cosine));
         if !L::all(exists) {
             return None;
         }
-        let distance = L::ONE - cosine.magnitude();
-        Some(Arc {
-            cosine,
-            square,
-            distance: distance.plus_product(cosine.magnitude(), excess),
-            excess,
-        })
-    }
-
-    /// f and f′ from those of |c| near the identity.
-    #[inline(always)]
-    fn completed(self, near: L, slope: L) -> Option<(L, L)> {
-        let size = self.cosine.magnitude();
-        // Over the norm, to first order.
-        let mut factor = near.minus_product(near, self.excess);
-        let mut slope = slope;
-        let behind = self.cosine.is_less(L::ZERO);
-        let boost = constant::<L>(FARTHEST).is_less(self.cosine);
-        if !L::any(behind | boost) {
-            return Some((factor, slope));
-        }
+        let size = cosine.magnitude();
+        let (mut factor, mut slope) = ahead_factor_slope(size, excess);
+        let behind = cosine.is_less(L::ZERO);
         if L::any(behind) {
             // θ/sin θ = π/sin θ − (π − θ)/sin(π − θ).
-            let sine = (-self.square).square_root();
+            let sine = (-square).square_root();
             let other = L::PI / sine - factor;
-            let quotient = (L::ONE.plus_product(size, other)) / self.square;
+            let quotient = (L::ONE.plus_product(size, other)) / square;
             factor = L::select(behind, other, factor);
             slope = L::select(behind, quotient, slope);
         }
+        let boost = constant::<L>(FARTHEST).is_less(cosine);
         if L::any(boost) {
-            let sinh = self.square.square_root();
-            let far = ln(self.cosine + sinh) / sinh;
-            let quotient = L::ONE.minus_product(size, far) / self.square;
+            let sinh = square.square_root();
+            let far = ln(cosine + sinh) / sinh;
+            let quotient = L::ONE.minus_product(size, far) / square;
             factor = L::select(boost, far, factor);
             slope = L::select(boost, quotient, slope);
         }
         let finite = factor.magnitude().is_at_most(L::splat(L::Float::LARGEST));
-        L::all(finite).then_some((factor, slope))
+        match L::all(finite) {
+            true => Some((factor, slope)),
+            false => None,
+        }
     }
 }
