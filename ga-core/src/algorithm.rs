@@ -14,13 +14,15 @@ mod split;
 mod square_root;
 mod study;
 
-pub use exponential::{bivector_exponential, motor_exponential};
+pub use exponential::bivector_exponential;
 pub use inverse::{adjugate, adjugate_products};
 pub use inverse_scaling::{
     MOST_ROOTS, logarithm_products, principal_logarithm, principal_square_root,
     square_root_products,
 };
-pub use logarithm::{logarithm, logarithm_of_unit, motor_logarithm, motor_logarithm_of_unit};
+pub use logarithm::{
+    logarithm, logarithm_of_unit, motor_factor, motor_logarithm, motor_logarithm_apart,
+};
 pub(crate) use normalise::rounding_of;
 pub use normalise::{Commutators, over_norm, renormalise};
 pub use parts::{Bivectors, Fourvectors, Parts, Versors};

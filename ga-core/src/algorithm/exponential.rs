@@ -45,22 +45,6 @@ where
     )
 }
 
-/// The exponential of a bivector with `W² = 0`, as generators of motors are: C(a + W) is
-/// C(a) + C′(a) W, and C′ = S/2.
-#[inline(always)]
-pub fn motor_exponential<T, A, Q, R>(bivector: A) -> R
-where
-    T: Real,
-    A: Bivectors<Number = T>,
-    Q: Fourvectors<A, Number = T>,
-    R: Versors<A, Q, Number = T>,
-{
-    let outer: Q = outer_square(bivector);
-    let (cosh, sinhc, slope) = bivector.scalar_product(bivector).cosh_sinhc_slope();
-    let cosh_slope = sinhc * T::from_ratio(1, 2);
-    assembled(bivector, outer, [cosh, cosh_slope], [sinhc, slope]).sum()
-}
-
 /// `c + c′ W + (s + s′ W) B`.
 #[inline(always)]
 fn assembled<T, A, Q>(bivector: A, outer: Q, cosh: [T; 2], sinhc: [T; 2]) -> Parts<T, A, Q>

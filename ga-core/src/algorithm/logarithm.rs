@@ -133,17 +133,58 @@ where
     motor_of_unit_parts(unit)
 }
 
-/// The logarithm of a versor that is promised to be a unit one, and whose four-vector part
-/// squares to zero.
+/// f(c) and f′(c) of a unit motor with this scalar and this square of its bivector, whose other
+/// coefficients have squares that add up to `size`; `None` where
+/// [`motor_logarithm_apart`] has to be asked: behind a third of a turn, of what is not a unit
+/// versor, and where the logarithm could overflow.
 #[inline(always)]
-pub fn motor_logarithm_of_unit<T, X, A, Q>(versor: X) -> Option<A>
+pub fn motor_factor<T: Real>(scalar: T, square: T, size: T) -> Option<(T, T)> {
+    let far_from_the_edge = T::from_ratio(-1, 2).all_le(scalar);
+    match far_from_the_edge && far_below_overflow(size) {
+        true => scalar.log_factor_slope(square),
+        false => None,
+    }
+}
+
+/// Whether a logarithm is finite because the squares of the coefficients are small enough: away
+/// from the edge, the factor and its slope are small numbers.
+#[inline(always)]
+fn far_below_overflow<T: Real>(size: T) -> bool {
+    (size * T::from_integer(1024)).is_finite()
+}
+
+/// The logarithm of a versor that is promised to be a unit one, and whose four-vector part
+/// squares to zero, in a function of its own.
+#[inline(always)]
+pub fn motor_logarithm_apart<T, X, A, Q>(versor: X) -> Option<A>
 where
     T: Real,
     X: Element<Number = T>,
     A: Bivectors<Number = T>,
     Q: Fourvectors<A, Number = T>,
 {
-    motor_of_unit_parts(Parts::<T, A, Q>::of(versor))
+    let parts = Parts::<T, A, Q>::of(copied(versor));
+    match T::outlined(MotorOfUnitParts(parts)) {
+        Some(logarithm) => Some(copied(logarithm)),
+        None => None,
+    }
+}
+
+/// Takes the logarithm of a unit motor.
+struct MotorOfUnitParts<T, A, Q>(Parts<T, A, Q>);
+
+impl<T, A, Q> Computation for MotorOfUnitParts<T, A, Q>
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    type Output = Option<A>;
+
+    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    fn run(self) -> Option<A> {
+        motor_of_unit_parts(self.0)
+    }
 }
 
 /// f(c + V) A = f A + f′ V A.
@@ -166,9 +207,7 @@ where
     // The slope times the four-vector, which has fewer coefficients than the bivector.
     let turned = turned(unit.fourth.geometric(slope), unit.bivector);
     let logarithm = A::from_fn(|i| unit.bivector.at(i) * factor + turned.at(i));
-    // Factor and slope are small away from the edge: what is not near overflow need not be asked.
-    let far_below_overflow = (unit.size() * T::from_integer(1024)).is_finite();
-    match far_below_overflow {
+    match far_below_overflow(unit.size()) {
         true => Some(logarithm),
         false => finite(logarithm),
     }

@@ -37,27 +37,35 @@ macro_rules! series_exponential {
     };
 }
 
-/// Exponentials and splits of bivectors: the type, the type of the exponential, and the types of
-/// commuting bivectors and of outer squares.
+/// Exponentials of bivectors: the type, the type of the exponential, and the types of commuting
+/// bivectors and of outer squares.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! bivector_functions {
-    ($algorithm:ident $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal $split:literal) => {
+macro_rules! bivector_exponential {
+    ($Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal) => {
         impl<T: $crate::Real> $crate::ops::Exponential for $Name<T> {
             type Output = $Versor<T>;
             $crate::inlined! {
                 #[doc = $doc]
                 fn exp(self) -> $Versor<T> {
-                    $crate::algorithm::$algorithm::<T, $Bivector<T>, $Fourth<T>, _>($Bivector::from(
-                        self,
-                    ))
+                    $crate::algorithm::bivector_exponential::<T, $Bivector<T>, $Fourth<T>, _>(
+                        $Bivector::from(self),
+                    )
                 }
             }
         }
+    };
+}
+
+/// Splits of bivectors into commuting blades, in the same types.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! commuting_split {
+    ($Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $doc:literal) => {
         impl<T: $crate::Real> $crate::ops::SplitCommuting for $Name<T> {
             type Output = $Bivector<T>;
             $crate::inlined! {
-                #[doc = $split]
+                #[doc = $doc]
                 fn split_commuting(self) -> $crate::algorithm::Split<$Bivector<T>> {
                     $crate::algorithm::split::<T, $Bivector<T>, $Fourth<T>>($Bivector::from(self))
                 }

@@ -45,13 +45,15 @@ macro_rules! renormalization {
 }
 
 /// Logarithms, roots and polar normalisation of even types: the type, the type of its roots, and
-/// the types of its bivectors and four-vectors, which commute if marked so.
+/// the types of its bivectors and four-vectors, which commute if marked so; the logarithm of unit
+/// versors has a body of its own.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! versor_functions {
     (
-        $logarithm:ident $of_unit:ident $commuting:ident
+        $logarithm:ident $commuting:ident
         $Name:ident => $Versor:ident ($Bivector:ident $Fourth:ident) $log:literal $sqrt:literal $normal:literal
+        of_unit $receiver:tt $of_unit:block
     ) => {
         impl<T: $crate::Real> $crate::ops::Logarithm for $Name<T> {
             type Output = $Bivector<T>;
@@ -64,11 +66,8 @@ macro_rules! versor_functions {
                     )
                 }
             }
-            $crate::inlined! {
-                fn log_of_unit(self) -> ::core::option::Option<$Bivector<T>> {
-                    $crate::algorithm::$of_unit::<T, _, $Bivector<T>, $Fourth<T>>(self)
-                }
-            }
+            #[inline(always)]
+            fn log_of_unit($receiver) -> ::core::option::Option<$Bivector<T>> $of_unit
         }
         impl<T: $crate::Real> $crate::ops::SquareRoot for $Name<T> {
             type Output = $Versor<T>;

@@ -3,7 +3,7 @@
 
 use super::exponential::half_exp;
 use super::logarithm::ln;
-use super::polynomial::{long_polynomial, polynomial};
+use super::polynomial::by_fours;
 use super::{constant, nearest_integer, parity};
 use crate::scalar::elementary::Elementary;
 use crate::scalar::lanes::Lanes;
@@ -37,8 +37,8 @@ pub fn cosh_sinhc_slope<L: Lanes>(a: L) -> (L, L, L) {
 /// S = 1 + a P and S′ by polynomials, C = S + 2a S′.
 #[inline(always)]
 fn near<L: Lanes>(a: L) -> (L, L, L) {
-    let sinhc = L::ONE.plus_product(a, long_polynomial(a, L::Float::SINHC));
-    let slope = long_polynomial(a, L::Float::SINHC_SLOPE);
+    let sinhc = L::ONE.plus_product(a, by_fours(a, L::Float::SINHC));
+    let slope = by_fours(a, L::Float::SINHC_SLOPE);
     (sinhc.plus_product(a + a, slope), sinhc, slope)
 }
 
@@ -136,55 +136,71 @@ const FARTHEST: f64 = 1.125;
 /// 1, and for what is not finite.
 #[inline(always)]
 pub fn log_factor<L: Lanes>(c: L, square: L) -> Option<L> {
-    let (factor, _) = log_factor_slope(c, square)?;
+    let (factor, _) = factor_and_slope::<L, false>(c, square)?;
     Some(factor)
 }
 
 /// The factor f(c) of the logarithm and its derivative along c² − X² = 1.
 #[inline(always)]
 pub fn log_factor_slope<L: Lanes>(c: L, square: L) -> Option<(L, L)> {
+    factor_and_slope::<L, true>(c, square)
+}
+
+/// The factor f(c), and its derivative if that is asked for.
+#[inline(always)]
+fn factor_and_slope<L: Lanes, const SLOPE: bool>(c: L, square: L) -> Option<(L, L)> {
     // By how much the square of the norm exceeds 1, halved: rounding.
     let excess = ((c * c - square) - L::ONE) * constant(0.5);
     let ahead = L::ZERO.is_at_most(c) & c.is_at_most(constant(FARTHEST));
     // Then X² is negative, or c far from zero.
     let is_unit = excess.magnitude().is_at_most(constant(0.125));
-    match L::all(ahead & is_unit) {
-        true => Some(ahead_factor_slope(c, excess)),
-        false => L::outlined(FarFactor {
-            cosine: c,
-            square,
-            excess,
-        }),
+    if L::all(ahead & is_unit) {
+        return Some(ahead_factor::<L, SLOPE>(c, excess));
+    }
+    let far = FarFactor::<L, SLOPE> {
+        cosine: c,
+        square,
+        excess,
+    };
+    // The factor alone is short enough for loops over it to be vectorised, which no call may be in.
+    match SLOPE {
+        true => L::outlined(far),
+        false => far.run(),
     }
 }
 
 /// f and f′ of a cosine in reach of the polynomial p: f = 1 + x p with x = 1 − c.
 ///
 /// The slope (1 − c f)/X² is −x (1 − c p)/(x (1 + c)), of which x is left out. Over the norm, both
-/// cosine and factor become smaller by the excess to first order; that is done last, because what it
-/// takes is known last.
+/// cosine and factor become smaller by the excess, to first order. With the slope that is done
+/// last, because what it takes is known last.
 #[inline(always)]
-fn ahead_factor_slope<L: Lanes>(cosine: L, excess: L) -> (L, L) {
+fn ahead_factor<L: Lanes, const SLOPE: bool>(cosine: L, excess: L) -> (L, L) {
     let distance = L::ONE - cosine;
+    if !SLOPE {
+        let distance = distance.plus_product(cosine, excess);
+        let factor = L::ONE.plus_product(distance, by_fours(distance, L::Float::ARC));
+        return (factor.minus_product(factor, excess), L::ZERO);
+    }
     let share = L::ONE / (L::ONE + cosine);
-    let value = polynomial(distance, L::Float::ARC);
-    let slope = (L::ONE.minus_product(cosine, value)) * -share;
+    let value = by_fours(distance, L::Float::ARC);
+    let slope = L::ONE.minus_product(cosine, value) * -share;
     let factor = L::ONE.plus_product(distance, value);
     let change = factor.plus_product(cosine, slope);
     (factor.minus_product(change, excess), slope)
 }
 
 /// The same where some lane is behind a quarter of a turn, a boost, no versor, or not a number.
-struct FarFactor<L> {
+struct FarFactor<L, const SLOPE: bool> {
     cosine: L,
     square: L,
     excess: L,
 }
 
-impl<L: Lanes> Computation for FarFactor<L> {
+impl<L: Lanes, const SLOPE: bool> Computation for FarFactor<L, SLOPE> {
     type Output = Option<(L, L)>;
 
-    #[cfg_attr(all(feature = "inlined", not(debug_assertions)), inline(always))]
+    #[inline(always)]
     fn run(self) -> Option<(L, L)> {
         let FarFactor {
             cosine,
@@ -198,7 +214,7 @@ impl<L: Lanes> Computation for FarFactor<L> {
             return None;
         }
         let size = cosine.magnitude();
-        let (mut factor, mut slope) = ahead_factor_slope(size, excess);
+        let (mut factor, mut slope) = ahead_factor::<L, SLOPE>(size, excess);
         let behind = cosine.is_less(L::ZERO);
         if L::any(behind) {
             // θ/sin θ = π/sin θ − (π − θ)/sin(π − θ).

@@ -4,10 +4,11 @@
 
 mod commuting;
 mod iterated;
+mod motors;
 
 use std::fmt::Write;
 
-use ga_core::Product;
+use ga_core::{Product, Rational};
 
 use self::commuting::Planes;
 use self::iterated::{iterated_functions, series_exponential};
@@ -74,8 +75,18 @@ fn names<'a>(generator: &'a Generator<'_>, a: usize) -> Names<'a> {
     Names::new(generator.kind(a), None)
 }
 
+/// A square as an expression: a sum of negative terms as the opposite of a sum, which takes no
+/// negation of a factor.
 fn square_code(generator: &Generator<'_>, a: usize, square: &Poly) -> String {
-    expression::code(square, &names(generator, a))
+    let names = names(generator, a);
+    let zero = Rational::from_integer(0);
+    match !square.is_zero() && square.terms().all(|(_, value)| *value < zero) {
+        true => {
+            let opposite = square.scaled(&Rational::from_integer(-1));
+            format!("(-algebra::sum!({}))", expression::code(&opposite, &names))
+        }
+        false => format!("algebra::sum!({})", expression::code(square, &names)),
+    }
 }
 
 /// `exp X = C(X²) + S(X²) X` (2.62).
@@ -83,7 +94,7 @@ fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element
     let null = square.is_zero();
     let mut with_scalar = element.clone();
     if null {
-        with_scalar.insert(0, Poly::constant(ga_core::Rational::from_integer(1)));
+        with_scalar.insert(0, Poly::constant(Rational::from_integer(1)));
     } else if let Some(first) = element.values().next() {
         // Any variable polynomial marks the scalar as free.
         with_scalar.insert(0, first.clone());
@@ -125,7 +136,7 @@ fn closed_exponential(generator: &mut Generator<'_>, a: usize, element: &Element
          #[doc = \" The exponential `C(X²) + S(X²) X` (2.62), with `C(a) = cosh √a` and \
          `S(a) = sinh √a / √a` continued to negative `a`.{} One evaluation of both.\"] \
          #[inline] fn exp(self) -> {output}<T> {{ \
-         let (c, s) = ({}).cosh_sinhc(); {output} {{ {} }} }} }}\n",
+         let (c, s) = {}.cosh_sinhc(); {output} {{ {} }} }} }}\n",
         expression::cost_sentence(Some(cost)),
         square_code(generator, a, square),
         fields.join(", ")
@@ -201,7 +212,7 @@ fn rotor_functions(generator: &mut Generator<'_>, a: usize, part: &Element, squa
 
 /// `log` and `sqrt` of `1 + X` with `X² = 0`: the scalar part is fixed, and both are exact.
 fn unipotent_functions(generator: &mut Generator<'_>, a: usize) {
-    let one = ga_core::Rational::from_integer(1);
+    let one = Rational::from_integer(1);
     let kind = generator.kind(a);
     let fixed_one = |slot: &crate::model::Slot| slot.mask == 0 && slot.fixed == Some(one);
     if !kind

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use ga_core::Product;
 
+use super::motors;
 use crate::closure;
 use crate::emit::Generator;
 use crate::emit::expression;
@@ -25,11 +26,11 @@ const LARGEST_PRODUCT: usize = 256;
 /// The types in which a type's functions are computed.
 pub struct Planes {
     /// Holds the bivectors A and their products with the four-vectors.
-    bivector: usize,
+    pub bivector: usize,
     /// Holds the four-vectors, A∧A among them.
-    fourth: usize,
+    pub fourth: usize,
     /// Holds 1, bivectors and four-vectors.
-    versor: usize,
+    pub versor: usize,
     /// Whether every four-vector commutes with every bivector, whatever their values.
     commuting: bool,
     /// Whether the square of every four-vector is zero.
@@ -49,7 +50,7 @@ struct Costs {
 }
 
 /// The grade-`k` part of a general element.
-fn part(element: &Element, grade: u32) -> Element {
+pub(super) fn part(element: &Element, grade: u32) -> Element {
     let own = element
         .iter()
         .filter(|(mask, _)| mask.count_ones() == grade);
@@ -164,17 +165,6 @@ impl Planes {
         let fields = generator.kind(self.fourth).field_count();
         let cost = self.costs.planes + self.costs.sum + Cost::multiplying(fields);
         let sentence = expression::cost_sentence(Some(cost));
-        let (algorithm, how) = match self.null {
-            true => ("motor_exponential", "one evaluation on dual numbers"),
-            false => (
-                "bivector_exponential",
-                "22 products of Study numbers and two for each halving",
-            ),
-        };
-        let exp = format!(
-            " The exponential `C(B²) + S(B²) B` (2.62) with the Study number `B² = a + B∧B`, \
-             `C(s) = cosh √s` and `S(s) = sinh √s / √s`.{sentence} Besides {how}."
-        );
         let split = format!(
             " The two commuting blades whose sum it is (5.5, 5.12).{sentence} Two divisions and \
              a root."
@@ -182,7 +172,20 @@ impl Planes {
         let types = self.types(generator, a);
         let _ = writeln!(
             generator.source,
-            "algebra::bivector_functions! {{ {algorithm} {types} {exp:?} {split:?} }}"
+            "algebra::commuting_split! {{ {types} {split:?} }}"
+        );
+        if self.null {
+            motors::exponential(generator, a, self);
+            return;
+        }
+        let exp = format!(
+            " The exponential `C(B²) + S(B²) B` (2.62) with the Study number `B² = a + B∧B`, \
+             `C(s) = cosh √s` and `S(s) = sinh √s / √s`.{sentence} Besides 22 products of Study \
+             numbers and two for each halving."
+        );
+        let _ = writeln!(
+            generator.source,
+            "algebra::bivector_exponential! {{ {types} {exp:?} }}"
         );
     }
 
@@ -220,9 +223,17 @@ impl Planes {
             "general"
         };
         let types = self.types(generator, a);
+        let of_unit = match self.null {
+            true => motors::logarithm_of_unit(generator, a, self),
+            false => format!(
+                "algebra::algorithm::logarithm_of_unit::<T, _, {}<T>, {}<T>>(self)",
+                generator.name(self.bivector),
+                generator.name(self.fourth)
+            ),
+        };
         let _ = writeln!(
             generator.source,
-            "algebra::versor_functions! {{ {algorithm} {algorithm}_of_unit {commuting} {types} {log:?} {sqrt:?} {normal:?} }}"
+            "algebra::versor_functions! {{ {algorithm} {commuting} {types} {log:?} {sqrt:?} {normal:?} of_unit self {{ {of_unit} }} }}"
         );
     }
 }
