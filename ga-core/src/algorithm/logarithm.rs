@@ -164,10 +164,7 @@ where
     Q: Fourvectors<A, Number = T>,
 {
     let parts = Parts::<T, A, Q>::of(copied(versor));
-    match T::outlined(MotorOfUnitParts(parts)) {
-        Some(logarithm) => Some(copied(logarithm)),
-        None => None,
-    }
+    T::outlined(MotorOfUnitParts(parts)).map(copied)
 }
 
 /// Takes the logarithm of a unit motor.
@@ -198,10 +195,7 @@ where
     let square = unit.bivector.scalar_product(unit.bivector);
     let far = T::from_ratio(-1, 2).all_le(unit.scalar);
     if !(far || T::ZERO.all_le(nearness(unit.scalar, square))) {
-        return match T::outlined(MotorNearTheEdge(unit.copied())) {
-            Some(logarithm) => Some(copied(logarithm)),
-            None => None,
-        };
+        return T::outlined(MotorNearTheEdge(unit.copied())).map(copied);
     }
     let (factor, slope) = unit.scalar.log_factor_slope(square)?;
     // The slope times the four-vector, which has fewer coefficients than the bivector.

@@ -212,6 +212,97 @@ fn functions_of_the_square_of_a_bivector() {
     }
 }
 
+/// Where the polynomials end and where there is nothing to reduce: on both sides, and beyond all
+/// numbers.
+#[test]
+fn ends_of_the_functions_of_squares() {
+    let expected = |a: f64| {
+        let root = a.abs().sqrt();
+        match (a < 0.0, root < 1e-100) {
+            (_, true) => (1.0, 1.0),
+            (true, _) => (root.cos(), root.sin() / root),
+            (false, _) => (root.cosh(), root.sinh() / root),
+        }
+    };
+    let turn = core::f64::consts::PI.powi(2);
+    for end in [
+        -9.8696_f64,
+        -turn,
+        -4.0 * turn,
+        0.0,
+        -0.0,
+        1.0,
+        5e-324,
+        -5e-324,
+    ] {
+        for a in [end, end.next_up(), end.next_down()] {
+            let ((cosh, sinhc), (expected_cosh, expected_sinhc)) = (a.cosh_sinhc(), expected(a));
+            assert!((cosh - expected_cosh).abs() < 2e-15, "{cosh} at {a:e}");
+            assert!((sinhc - expected_sinhc).abs() < 1e-15, "{sinhc} at {a:e}");
+        }
+        let a = end as f32;
+        for a in [a, a.next_up(), a.next_down()] {
+            let ((cosh, sinhc), (expected_cosh, expected_sinhc)) =
+                (a.cosh_sinhc(), expected(a.into()));
+            assert!(
+                (f64::from(cosh) - expected_cosh).abs() < 1e-6,
+                "{cosh} at {a:e}"
+            );
+            assert!(
+                (f64::from(sinhc) - expected_sinhc).abs() < 5e-7,
+                "{sinhc} at {a:e}"
+            );
+        }
+    }
+    for a in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let (cosh, sinhc) = a.cosh_sinhc();
+        assert!(!cosh.is_finite(), "{a}");
+        assert!(!sinhc.is_finite() || sinhc == 0.0, "{a}");
+    }
+}
+
+/// The cosines at which another way of taking logarithms begins, and what has none.
+#[test]
+fn ends_of_the_factors_of_logarithms() {
+    for end in [1.0_f64, 1.125, 0.5, 0.0, -0.0, -0.5, -0.999_999] {
+        for cosine in [end, end.next_up(), end.next_down()] {
+            let square = cosine * cosine - 1.0;
+            let root = f64::abs(square).sqrt();
+            let expected = match (square < 0.0, root < 1e-7) {
+                (_, true) => 1.0,
+                (true, _) => root.atan2(cosine) / root,
+                (false, _) => f64::ln(cosine + root) / root,
+            };
+            let (factor, slope) = cosine.log_factor_slope(square).unwrap();
+            assert!(
+                (factor - expected).abs() <= 2e-15 * expected,
+                "{factor} at {cosine}"
+            );
+            assert!(slope.is_finite(), "{cosine}");
+            let alone = cosine.log_factor(square).unwrap();
+            assert!(
+                (alone - expected).abs() <= 2e-15 * expected,
+                "{alone} at {cosine}"
+            );
+        }
+    }
+    let nothing = [
+        (-1.0, 0.0),
+        (-1.5, 1.25),
+        (0.0, 0.0),
+        (0.5, 0.5),
+        (2.0, -0.5),
+        (f64::NAN, -1.0),
+        (0.5, f64::NAN),
+        (f64::INFINITY, f64::INFINITY),
+        (0.0, f64::NEG_INFINITY),
+    ];
+    for (cosine, square) in nothing {
+        assert_eq!(cosine.log_factor(square), None, "{cosine} {square}");
+        assert_eq!(cosine.log_factor_slope(square), None, "{cosine} {square}");
+    }
+}
+
 /// θ/sin θ and its slope by cos θ, of turns up to near π and of rapidities.
 #[test]
 fn factors_of_logarithms() {
