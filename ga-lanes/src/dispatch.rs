@@ -128,9 +128,10 @@ fn on_portable<F: Number, K: On<F::Portable>>(task: K) -> K::Output {
     task.run()
 }
 
+/// Runs a task on machines with AVX2 and fused multiply-add.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
-fn on_v3<F: Number, K: On<Wide<F>>>(task: K) -> K::Output {
+pub(crate) fn on_v3<F: Number, K: On<Wide<F>>>(task: K) -> K::Output {
     black_box(&mut Aligned([0]).0);
     task.run()
 }

@@ -198,13 +198,23 @@ where
         return T::outlined(MotorNearTheEdge(unit.copied())).map(copied);
     }
     let (factor, slope) = unit.scalar.log_factor_slope(square)?;
-    // The slope times the four-vector, which has fewer coefficients than the bivector.
-    let turned = turned(unit.fourth.geometric(slope), unit.bivector);
-    let logarithm = A::from_fn(|i| unit.bivector.at(i) * factor + turned.at(i));
+    let logarithm = scaled_and_turned(unit.bivector, unit.fourth, factor, slope);
     match far_below_overflow(unit.size()) {
         true => Some(logarithm),
         false => finite(logarithm),
     }
+}
+
+/// f A + f′ V A. The slope times the four-vector, which has fewer coefficients than the bivector.
+#[inline(always)]
+fn scaled_and_turned<T, A, Q>(bivector: A, fourth: Q, factor: T, slope: T) -> A
+where
+    T: Real,
+    A: Bivectors<Number = T>,
+    Q: Fourvectors<A, Number = T>,
+{
+    let turned = turned(fourth.geometric(slope), bivector);
+    A::from_fn(|i| bivector.at(i) * factor + turned.at(i))
 }
 
 /// The same where lanes may be near −1.
@@ -231,7 +241,10 @@ where
         let (factor, slope) = cosine
             .scalar
             .log_factor_slope(bivector.scalar_product(bivector))?;
-        let logarithm = combined(bivector, factor, image, slope);
+        let near_the_edge = combined(bivector, factor, image, slope);
+        // Lanes far from it have the value that they have among their like.
+        let far = scaled_and_turned(bivector, fourth, factor, slope);
+        let logarithm = A::from_fn(|i| near.select_le(T::ZERO, near_the_edge.at(i), far.at(i)));
         // The two terms are large and nearly cancel in the part that B∧B = 2f V knows.
         let square = logarithm.scalar_product(logarithm);
         let missing = fourth.geometric(factor + factor) - outer_square(logarithm);

@@ -2,6 +2,8 @@
 //! and those of 512 bits take longer than two of 256.
 
 use crate::dispatch::On;
+#[cfg(target_arch = "x86_64")]
+use crate::dispatch::on_v3;
 use crate::number::Number;
 #[cfg(target_arch = "x86_64")]
 use crate::number::Wide;
@@ -34,10 +36,4 @@ pub fn run<F: Number, K: OnTargets<F>>(task: K) {
 #[cfg(not(target_arch = "x86_64"))]
 pub fn run<F: Number, K: OnTargets<F>>(task: K) {
     On::<F::Portable>::run(task);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt")]
-fn on_v3<F: Number, K: On<Wide<F>, Output = ()>>(task: K) {
-    task.run()
 }

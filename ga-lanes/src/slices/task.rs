@@ -37,7 +37,7 @@ where
             let blocks = parts.of_mut(part).chunks_exact_mut(L::COUNT);
             for (index, block) in blocks.enumerate() {
                 let (x, y) = (a.read(part, index), b.read(part, index));
-                scatter::<O::Output, L>(self.operation.call(x, y), block);
+                scatter::<O::Output, L>(self.operation.call(O::left(x), y), block);
             }
         }
         parts.finish();
@@ -70,7 +70,7 @@ where
             let blocks = parts.of_mut(part).chunks_exact_mut(L::COUNT);
             for (index, block) in blocks.enumerate() {
                 let (x, y) = (a.read(part, index), gathered::<Y, L>(block));
-                scatter::<Y, L>(self.operation.call(x, y), block);
+                scatter::<Y, L>(self.operation.call(O::left(x), y), block);
             }
         }
         parts.finish();
