@@ -9,7 +9,8 @@
 //!
 //! This library is called as one would first: by a loop over structs, and one motor on many points
 //! by `apply_slice`. Rows that end in `-by-slices` are the functions of `ga_lanes::slices` on the
-//! same structs, against the same others.
+//! same structs, those that end in `-in-batches` the same coefficient by coefficient, both against
+//! the same others.
 //!
 //! `clifford` takes longer to compile than all the rest together, and takes part with `--features
 //! clifford`. Not compared: `g3` needs a nightly compiler, `wedged` knows no metric but the

@@ -7,9 +7,9 @@ use ga_benches::data::Data;
 use ga_benches::ours::plane_based as ours;
 use ga_benches::ours::plane_based::{Line, motor, plane, screw};
 use ga_benches::race::{Contestant, ELEMENTS};
-use ga_lanes::slices;
+use ga_lanes::{Batch, slices};
 
-use crate::table::{BY_SLICES, Contest, Goal, OURS, Table};
+use crate::table::{BY_SLICES, Contest, Goal, IN_BATCHES, OURS, Table};
 use crate::{clifford, others};
 
 /// Where the corners of a frame are taken: a motion, whatever it is stored as.
@@ -246,13 +246,27 @@ macro_rules! contests {
             }
             add("motor-on-plane", Goal::Times(3.0), true, contestants);
 
-            let mut contestants = vec![Contestant::binary(
-                OURS,
-                points.clone(),
-                y.iter().map(ours::point).collect(),
-                |p, q| p & q,
-                |l: &Line<$float>| view(l.to_array()),
-            )];
+            let others: Vec<_> = y.iter().map(ours::point::<$float>).collect();
+            let mut contestants = vec![
+                Contestant::binary(
+                    OURS,
+                    points.clone(),
+                    others.clone(),
+                    |p, q| p & q,
+                    |l: &Line<$float>| view(l.to_array()),
+                ),
+                Contestant::slices(
+                    BY_SLICES,
+                    points.clone(),
+                    others,
+                    lines.clone(),
+                    |p, q, joins| {
+                        let done = slices::regressive(p, q, joins);
+                        debug_assert_eq!(done, Ok(()));
+                    },
+                    |l: &Line<$float>| view(l.to_array()),
+                ),
+            ];
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::join_of_points(&data));
             }
@@ -269,20 +283,32 @@ macro_rules! contests {
             }
             add("meet-of-three-planes", Goal::Times(3.0), true, contestants);
 
-            let mut contestants = vec![Contestant::unary(OURS, lines, screw, |m| {
-                view(m.to_array())
-            })];
+            let batch = Batch::from_slice(&lines);
+            let mut contestants = vec![
+                Contestant::unary(OURS, lines, screw, |m| view(m.to_array())),
+                Contestant::container(IN_BATCHES, batch, Batch::exp, |motors, count| {
+                    let motors = motors.iter().take(count);
+                    motors.map(|m| view(m.to_array())).collect()
+                }),
+            ];
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::exponential(&data));
             }
             add("exp-of-line", Goal::Times(3.0), false, contestants);
 
-            let mut contestants = vec![Contestant::unary(
-                OURS,
-                motors,
-                |m| m.log().unwrap_or_default(),
-                |l| view(l.to_array()),
-            )];
+            let batch = Batch::from_slice(&motors);
+            let mut contestants = vec![
+                Contestant::unary(
+                    OURS,
+                    motors,
+                    |m| m.log().unwrap_or_default(),
+                    |l| view(l.to_array()),
+                ),
+                Contestant::container(IN_BATCHES, batch, Batch::log, |lines, count| {
+                    let lines = lines.iter().take(count).map(Option::unwrap_or_default);
+                    lines.map(|l| view(l.to_array())).collect()
+                }),
+            ];
             if with_geometric_algebra {
                 contestants.push(geometric_algebra::logarithm(&data));
             }

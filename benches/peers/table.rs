@@ -31,8 +31,8 @@ pub struct Contest {
     pub goal: Goal,
     /// What the goal is a multiple of, if it is not among the contestants.
     pub yardstick: Option<Contestant>,
-    /// This library first; where it has other ways too, they are named [`BY_SLICES`] and get a row of
-    /// their own against the same others.
+    /// This library first; where it has other ways too, they are named [`BY_SLICES`] or [`IN_BATCHES`]
+    /// and get a row of their own against the same others.
     pub contestants: Vec<Contestant>,
 }
 
@@ -67,6 +67,8 @@ impl Contest {
 pub const OURS: &str = "ours";
 /// This library by the functions on slices of `ga_lanes`.
 pub const BY_SLICES: &str = "ours-by-slices";
+/// This library by the batches of `ga_lanes`, coefficient by coefficient.
+pub const IN_BATCHES: &str = "ours-in-batches";
 
 struct Row {
     operation: &'static str,
@@ -136,15 +138,15 @@ impl Table {
 
 /// Whether a contestant is this library.
 fn is_ours(name: &str) -> bool {
-    [OURS, BY_SLICES].contains(&name)
+    [OURS, BY_SLICES, IN_BATCHES].contains(&name)
 }
 
 impl Row {
     /// The operation, and how it was called.
     fn name(&self) -> String {
-        match self.way {
-            OURS => self.operation.to_owned(),
-            _ => format!("{}-by-slices", self.operation),
+        match self.way.strip_prefix("ours-") {
+            None => self.operation.to_owned(),
+            Some(way) => format!("{}-{way}", self.operation),
         }
     }
 

@@ -156,6 +156,25 @@ impl Contestant {
         }
     }
 
+    /// A whole container by one call: f(a), which gives another one.
+    pub fn container<A, C>(
+        name: &'static str,
+        a: A,
+        function: impl Fn(&A) -> C + 'static,
+        images: impl Fn(&C, usize) -> Vec<Vec<f64>>,
+    ) -> Self
+    where
+        A: 'static,
+    {
+        Contestant {
+            name,
+            images: images(&function(&a), COMPARED),
+            pass: Box::new(move || {
+                black_box(function(black_box(&a)));
+            }),
+        }
+    }
+
     /// Two whole slices by one call: f(a, b, out), where `out` has something in it.
     pub fn slices<A, B, C>(
         name: &'static str,
