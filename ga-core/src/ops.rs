@@ -13,6 +13,8 @@ mod application;
 
 pub use application::{Apply, ApplyUnit, Outermorphism, Sandwich, Versor};
 
+use core::ops::{Add, Sub};
+
 use crate::algorithm::Split;
 use crate::{Blade, Field, Real, Scalar};
 
@@ -148,6 +150,13 @@ pub trait TermByTerm<B = Self> {
     type Output;
     /// The product `self b`.
     fn term_by_term(self, b: B) -> Self::Output;
+}
+
+/// An element that can be added to those of another type `B`, and subtracted: operators `+` and
+/// `-`.
+pub trait Addend<B>: Sized {
+    /// The smallest declared type that holds both.
+    type Sum: From<Self> + From<B> + Add<Output = Self::Sum> + Sub<Output = Self::Sum>;
 }
 
 macro_rules! maps {

@@ -256,6 +256,10 @@ macro_rules! element_operators {
             Shl shl LeftContract left_contract,
             Div div Quotient quotient,
         }
+        $crate::element_operators! { @sum $Name
+            Add add,
+            Sub sub,
+        }
         impl<T> ::core::ops::Not for $Name<T>
         where
             $Name<T>: $crate::ops::Dual,
@@ -268,6 +272,21 @@ macro_rules! element_operators {
             }
         }
     };
+    (@sum $Name:ident $($operator:ident $method:ident,)*) => {$(
+        /// With elements of other types, in the smallest type that holds both; one operation a
+        /// coefficient.
+        impl<T, B> ::core::ops::$operator<B> for $Name<T>
+        where
+            $Name<T>: $crate::ops::Addend<B>,
+        {
+            type Output = <$Name<T> as $crate::ops::Addend<B>>::Sum;
+            $crate::inlined! {
+                fn $method(self, b: B) -> Self::Output {
+                    ::core::ops::$operator::$method(Self::Output::from(self), Self::Output::from(b))
+                }
+            }
+        }
+    )*};
     (@binary $Name:ident $($operator:ident $method:ident $product:ident $name:ident,)*) => {$(
         impl<T, B> ::core::ops::$operator<B> for $Name<T>
         where

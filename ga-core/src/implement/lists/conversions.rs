@@ -1,28 +1,12 @@
 //! What two types have in common: their sums in a wider type, and the way back to the narrower one.
 
-/// Sums and differences of different types, in the smallest type that holds both.
+/// The types of the sums of different types.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! sums {
     ($bound:ident $Left:ident: $($Right:ident => $Sum:ident),*) => {$(
-        impl<T: $crate::$bound> ::core::ops::Add<$Right<T>> for $Left<T> {
-            type Output = $Sum<T>;
-            $crate::inlined! {
-                /// The sum, in the smallest type that holds both; one addition a coefficient.
-                fn add(self, b: $Right<T>) -> $Sum<T> {
-                    $Sum::from(self) + $Sum::from(b)
-                }
-            }
-        }
-        impl<T: $crate::$bound> ::core::ops::Sub<$Right<T>> for $Left<T> {
-            type Output = $Sum<T>;
-            $crate::inlined! {
-                /// The difference, in the smallest type that holds both; one subtraction a
-                /// coefficient.
-                fn sub(self, b: $Right<T>) -> $Sum<T> {
-                    $Sum::from(self) - $Sum::from(b)
-                }
-            }
+        impl<T: $crate::$bound> $crate::ops::Addend<$Right<T>> for $Left<T> {
+            type Sum = $Sum<T>;
         }
     )*};
 }
