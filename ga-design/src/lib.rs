@@ -5,6 +5,7 @@ pub mod crystallography;
 pub mod export;
 pub mod folding;
 pub mod gallery;
+pub mod linkages;
 pub mod mesh;
 pub mod tensegrity;
 pub mod warp;

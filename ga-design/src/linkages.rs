@@ -1,0 +1,25 @@
+//! Linkages and arms (chapter 4): bodies that joints hold together, and where they can be.
+//!
+//! ```text
+//! Frame ── Link ── Joint ── Frame ── Link ── …
+//!            └──────┴──► Chain ──► poses, screws, singularities
+//! ```
+//!
+//! Every pose is a unit motor. A joint moves along its own z-axis or turns about it, whatever the
+//! convention of the table that it was read from.
+
+mod chain;
+mod denavit_hartenberg;
+mod frame;
+mod joint;
+mod link;
+mod pose_solver;
+mod target;
+
+pub use chain::{Chain, ChainError, Coupling, JointValue, Segment};
+pub use denavit_hartenberg::{Convention, Row, Table, TableError};
+pub use frame::{Axis, Frame};
+pub use joint::{Freedom, Joint, JointKind, Limits};
+pub use link::Link;
+pub use pose_solver::{PoseSolver, Solution};
+pub use target::{Attitude, Miss, Target};

@@ -1,0 +1,4 @@
+//! Linkages: frames, joints, chains and the tables that they are read from.
+
+mod poses;
+mod tables;
