@@ -15,6 +15,7 @@ mod joint;
 mod link;
 mod pose_solver;
 mod target;
+mod tree;
 
 pub use chain::{Chain, ChainError, Coupling, JointValue, Segment};
 pub use denavit_hartenberg::{Convention, Row, Table, TableError};
@@ -23,3 +24,4 @@ pub use joint::{Freedom, Joint, JointKind, Limits};
 pub use link::Link;
 pub use pose_solver::{PoseSolver, Solution};
 pub use target::{Attitude, Miss, Target};
+pub use tree::{Tree, TreeError};

@@ -4,7 +4,7 @@ use ga_cga::{DualLine, Motor};
 use ga_core::Unit;
 use thiserror::Error;
 
-use super::{Frame, Freedom, Joint, Limits};
+use super::{Frame, Freedom, Joint, JointKind, Limits};
 
 /// A body and the joint that it hangs on.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,8 +13,8 @@ pub struct Segment {
     pub name: String,
     /// From the frame of the body before, or from the base, to the frame of the joint.
     pub before: Unit<Motor>,
-    /// The joint.
-    pub joint: Joint,
+    /// What the joint can do.
+    pub kind: JointKind,
     /// From the frame of the joint, moved, to that of the body.
     pub after: Unit<Motor>,
     /// Which values drive its freedoms, one coupling for each.
@@ -135,11 +135,7 @@ impl Chain {
         let freedoms = joint.kind.freedoms().len();
         let mut couplings = Vec::with_capacity(freedoms);
         for number in 0..freedoms {
-            couplings.push(Coupling {
-                value: self.values.len(),
-                ratio: 1.0,
-                offset: 0.0,
-            });
+            couplings.push(Coupling::to(self.values.len()));
             let limits = joint.limits.get(number).copied();
             self.values.push(JointValue {
                 name: match freedoms {
@@ -149,10 +145,10 @@ impl Chain {
                 limits: limits.unwrap_or(Limits::unlimited()),
             });
         }
-        self.segments.push(Segment {
+        self.push(Segment {
             name,
             before,
-            joint,
+            kind: joint.kind,
             after,
             couplings,
         });
@@ -246,6 +242,23 @@ impl Chain {
         Ok(screws)
     }
 
+    /// Adds a body whose couplings name values that are there.
+    pub(super) fn push(&mut self, segment: Segment) {
+        self.segments.push(segment);
+    }
+
+    /// The number of the value of that name, which is added if it is not there.
+    pub(super) fn value_named(&mut self, name: &str, limits: Limits) -> usize {
+        let place = self.values.iter().position(|value| value.name == name);
+        place.unwrap_or_else(|| {
+            self.values.push(JointValue {
+                name: name.to_owned(),
+                limits,
+            });
+            self.values.len() - 1
+        })
+    }
+
     /// Refuses values that are too few, too many or not finite.
     pub(super) fn check(&self, values: &[f64]) -> Result<(), ChainError> {
         if values.len() != self.values.len() {
@@ -278,11 +291,20 @@ impl Chain {
 impl Segment {
     /// The freedoms of the joint with what drives them.
     pub(super) fn freedoms(&self) -> impl Iterator<Item = (Freedom, &Coupling)> {
-        self.joint.kind.freedoms().into_iter().zip(&self.couplings)
+        self.kind.freedoms().into_iter().zip(&self.couplings)
     }
 }
 
 impl Coupling {
+    /// The value as it is.
+    pub(super) fn to(value: usize) -> Self {
+        Coupling {
+            value,
+            ratio: 1.0,
+            offset: 0.0,
+        }
+    }
+
     /// The value of the freedom, given all values of the chain; 0 for one that is not there.
     pub(super) fn of(&self, values: &[f64]) -> f64 {
         let value = values.get(self.value).copied().unwrap_or(0.0);

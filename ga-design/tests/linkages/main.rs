@@ -2,3 +2,4 @@
 
 mod poses;
 mod tables;
+mod urdf;

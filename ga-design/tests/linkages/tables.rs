@@ -6,8 +6,10 @@ use serde_json::Value;
 
 const ROBOTS: &str = include_str!("data/robots.json");
 
-/// The arms with their reference values and pose.
-fn robots() -> Vec<(String, Table, Vec<f64>, [[f64; 4]; 4])> {
+/// An arm with its reference values and the pose that they give.
+type Robot = (String, Table, Vec<f64>, [[f64; 4]; 4]);
+
+fn robots() -> Vec<Robot> {
     let file: Value = serde_json::from_str(ROBOTS).unwrap();
     let robots = file["robots"].as_object().unwrap();
     let read = |(name, robot): (&String, &Value)| {
