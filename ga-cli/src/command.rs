@@ -1,5 +1,6 @@
 //! Decides which commands there are; each is a file of its own with its arguments and what it does.
 
+mod arm;
 mod crystal;
 mod expand;
 mod gallery;
@@ -16,6 +17,7 @@ pub enum Command {
     Group(Box<group::Arguments>),
     Crystal(crystal::Arguments),
     Tensegrity(tensegrity::Arguments),
+    Arm(arm::Arguments),
     Expand(expand::Arguments),
 }
 
@@ -27,6 +29,7 @@ impl Command {
             Command::Group(arguments) => group::run(arguments),
             Command::Crystal(arguments) => crystal::run(arguments),
             Command::Tensegrity(arguments) => tensegrity::run(arguments),
+            Command::Arm(arguments) => arm::run(arguments),
             Command::Expand(arguments) => expand::run(arguments),
         }
     }

@@ -84,6 +84,14 @@ pub enum Failure {
         /// What is wrong, with its line where there is one.
         message: String,
     },
+    /// A robot, its joint values or its targets mean nothing.
+    #[error("{}: {problem}", file.display())]
+    Arm {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong there, and what would be right.
+        problem: String,
+    },
     /// An algebra has mistakes, each on a line of its own that begins with its place.
     #[error("{0}")]
     Algebra(String),

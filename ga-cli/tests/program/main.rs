@@ -1,5 +1,6 @@
 //! The program as an outsider sees it: what it prints, what it writes, how it fails.
 
+mod arm;
 mod crystal;
 mod expand;
 mod failures;

@@ -223,13 +223,7 @@ fn what_makes_no_tree_or_no_chain_is_named() {
         let message = Tree::from_urdf(&text).unwrap_err().to_string();
         assert!(message.contains(problem), "{text}: {message}");
     }
-    for text in [
-        "",
-        "<robot",
-        "{}",
-        "<html></html>",
-        "<robot name=\"r\"><link/></robot>",
-    ] {
+    for text in ["", "<robot", "{}", "<robot name=\"r\"><link/></robot>"] {
         let message = Tree::from_urdf(text).unwrap_err().to_string();
         assert!(message.starts_with("no URDF: "), "{text}: {message}");
     }
