@@ -81,9 +81,9 @@ pub fn targets(file: &Path) -> Result<Vec<Target>, Failure> {
         })?,
         false => {
             let rows = numbers(file, &text)?.into_iter().enumerate();
-            let rows = rows.map(|(number, row)| match row.as_slice() {
-                &[x, y, z] => Ok(([x, y, z], None)),
-                &[x, y, z, w, i, j, k] => Ok(([x, y, z], Some([w, i, j, k]))),
+            let rows = rows.map(|(number, row)| match *row.as_slice() {
+                [x, y, z] => Ok(([x, y, z], None)),
+                [x, y, z, w, i, j, k] => Ok(([x, y, z], Some([w, i, j, k]))),
                 _ => {
                     let problem =
                         format!("{} numbers; write x,y,z or x,y,z,qw,qx,qy,qz", row.len());
