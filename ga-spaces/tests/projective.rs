@@ -226,6 +226,33 @@ proptest! {
     }
 }
 
+/// Entries of all sizes, whose elations leave the range of numbers on the way.
+#[test]
+fn matrices_out_of_range_have_no_versor() {
+    let rows = [
+        [-0.0, 0.0, 0.0, -8.811_606_504_559_09e-67],
+        [
+            2.882_581_910_224_325_5e-158,
+            -5.277_012_715_087_495e-132,
+            0.0,
+            0.0,
+        ],
+        [
+            -0.0,
+            -1.218_760_991_358_939_4e-209,
+            0.0,
+            1.398_338_428_750_592e60,
+        ],
+        [
+            -1.261_344_384_359_000_8e-70,
+            -3.520_577_686_533_822e-87,
+            -1.336_741_740_966_254_2e282,
+            0.0,
+        ],
+    ];
+    assert_eq!(Collineation::from_matrix(rows), None);
+}
+
 /// Scalings, also with two negative factors; none with one, with zero or with no number.
 #[test]
 fn scalings_need_a_positive_volume() {

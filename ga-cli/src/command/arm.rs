@@ -55,7 +55,7 @@ struct Common {
 struct Forward {
     #[command(flatten)]
     common: Common,
-    /// Joint values, radians or lengths, a row for each pose: JSON [[q, …], …] or CSV.
+    /// Joint values, radians or lengths, a row for each pose: JSON, a list of lists, or CSV.
     #[arg(long, value_name = "FILE")]
     input: PathBuf,
 }
@@ -64,7 +64,7 @@ struct Forward {
 struct Inverse {
     #[command(flatten)]
     common: Common,
-    /// Targets: JSON [{position: [3], quaternion: [w, x, y, z]}, …] or CSV x,y,z,w,x,y,z.
+    /// Targets, poses or positions: JSON, or CSV with the columns x, y, z, qw, qx, qy, qz.
     #[arg(long, value_name = "FILE", long_help = TARGETS)]
     input: PathBuf,
     /// Joint values to start from, separated by commas; the middle of the ranges without it.

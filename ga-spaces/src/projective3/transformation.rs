@@ -136,7 +136,11 @@ impl<T: Real> Collineation<T> {
         let size = self.to_array().into_iter().fold(T::ZERO, |size, x| {
             if x.abs().all_le(size) { size } else { x.abs() }
         });
-        (size.is_invertible() && size.is_finite()).then(|| self * (T::ONE / size))
+        // A coefficient that is not a number is not the largest one, and the inverse of a small one
+        // is not finite.
+        let scaled = self * (T::ONE / size);
+        let finite = scaled.to_array().into_iter().all(T::is_finite);
+        (size.is_finite() && finite).then_some(scaled)
     }
 }
 
