@@ -29,6 +29,10 @@ pub fn report(works: &[Work], alone: &[ThreadPool], all: &ThreadPool) {
             row(work, bytes, alone, all);
         }
     }
+    println!(
+        "Two cores give what `independent` threads are given at most: they share the memory, and on a \
+         rented machine the cores themselves."
+    );
 }
 
 fn row(work: &Work, bytes: usize, single: &[ThreadPool], all: &ThreadPool) {

@@ -21,6 +21,27 @@ pub fn remark(operation: &str) -> Option<&'static str> {
              by type; it has twice the size of a motor, and has to be made of the motion first; by \
              slices motors are in lanes"
         }
+        "exp-of-line" => {
+            "two polynomials of the square, summed four coefficients at a time, without root, \
+             quotient or table; their latency is most of the time, and a loop that calls one \
+             function after the other cannot overlap it; tried: Horner's scheme, even and odd \
+             parts, fewer negations; in batches several are computed at a time"
+        }
+        "log-of-motor" => {
+            "one polynomial and one quotient beside it, and questions whether there is a logarithm \
+             and whether it is near the edge, which others do not ask; tried: the slope by a \
+             polynomial of its own, rare cases in functions apart; in batches several are computed \
+             at a time"
+        }
+        "join-of-points" => {
+            "six coefficients of 15 operations: on the oldest processors loading and storing is most \
+             of it, for both libraries"
+        }
+        "conformal-motor-on-circle" => {
+            "98 multiplications for ten coefficients, of which a loop over structs keeps more than \
+             there are registers; tried: V x̂ Ṽ as two products, one polynomial, and the form that \
+             is generated, which takes the fewest; one motor on many by `apply_slice`"
+        }
         _ => return None,
     })
 }

@@ -142,6 +142,8 @@ impl<T: Real> Motor<T> {
     }
 
     /// The exponential of a line of any kind: a rotation, a translation or a screw.
+    // A motor handed back through memory takes longer than the exponential.
+    #[inline(always)]
     pub fn screw(generator: Line<T>) -> Self {
         pick(generator.exp())
     }

@@ -6,6 +6,7 @@ pub use ga_spaces::plane_based3::{Line, Motor, Plane, Point, Rotor, Translator};
 use crate::data::Motion;
 
 /// The exponential of a line.
+#[inline(always)]
 pub fn screw<T: Real>(line: Line<T>) -> Motor<T> {
     Motor::screw(line)
 }
