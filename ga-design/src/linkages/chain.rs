@@ -52,8 +52,8 @@ pub struct JointValue {
 /// let hinge = || Joint { kind: JointKind::Revolute, limits: Vec::new() };
 /// let link = Link { length: 1.0, skew: 0.0, offset: 0.0 }.motion();
 /// let arm = Chain::new("arm", Frame::world())
-///     .with("shoulder", [Frame::world().motion(), link], hinge())
-///     .with("elbow", [Frame::world().motion(), link], hinge());
+///     .with("shoulder", [Frame::world().motor(), link], hinge())
+///     .with("elbow", [Frame::world().motor(), link], hinge());
 /// let tip = arm.pose(&[0.0, FRAC_PI_2])?.origin();
 /// assert!(tip.distance(Point::at(-1.0, 1.0, 0.0)) < 1e-15);
 /// # Ok::<(), ga_design::linkages::ChainError>(())

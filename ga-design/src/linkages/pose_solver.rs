@@ -67,8 +67,8 @@ impl PoseSolver {
     /// let hinge = || Joint { kind: JointKind::Revolute, limits: Vec::new() };
     /// let link = Link { length: 1.0, skew: 0.0, offset: 0.0 }.motion();
     /// let arm = Chain::new("arm", Frame::world())
-    ///     .with("shoulder", [Frame::world().motion(), link], hinge())
-    ///     .with("elbow", [Frame::world().motion(), link], hinge());
+    ///     .with("shoulder", [Frame::world().motor(), link], hinge())
+    ///     .with("elbow", [Frame::world().motor(), link], hinge());
     /// let target = Target::position(Point::at(1.2, 0.5, 0.0)).unwrap();
     /// let solution = PoseSolver::default().solve(&arm, &target, None)?;
     /// assert!(solution.converged);
