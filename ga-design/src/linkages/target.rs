@@ -102,7 +102,7 @@ impl Target {
 }
 
 /// The axis of a rotation times its angle in radians, of at most half a turn.
-fn rotation_vector(rotor: Rotor) -> Vector3 {
+pub(super) fn rotation_vector(rotor: Rotor) -> Vector3 {
     let sine = Vector3::new(-rotor.e23, rotor.e13, -rotor.e12);
     let (length, cosine) = (sine.norm(), rotor.s);
     let angle = 2.0 * length.atan2(cosine.abs());
