@@ -42,6 +42,10 @@ pub fn remark(operation: &str) -> Option<&'static str> {
              there are registers; tried: V x̂ Ṽ as two products, one polynomial, and the form that \
              is generated, which takes the fewest; one motor on many by `apply_slice`"
         }
+        "p∧q∧r" | "dense-32×32" | "one-motor-on-points" => {
+            "with 512-bit vectors the compiler shuffles loops over structs more than it computes; the \
+             build without AVX-512 does not"
+        }
         _ => return None,
     })
 }
