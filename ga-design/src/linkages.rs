@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! Frame ── Link ── Joint ── Frame ── Link ── …
-//!            └──────┴──► Chain ──► poses, screws, singularities
+//!            └──────┴──► Chain ──► poses, screws ──► PoseSolver
+//!            └──────┴──► ClosedLoop ──► states, mobility, motion
 //! ```
 //!
 //! Every pose is a unit motor. A joint moves along its own z-axis or turns about it, whatever the

@@ -78,6 +78,14 @@ pub enum LoopError {
         /// How many there are to be.
         joints: usize,
     },
+    /// There is no such joint.
+    #[error("there is no joint {joint}: the loop has {joints}")]
+    Joint {
+        /// The joint, counted from 1.
+        joint: usize,
+        /// How many there are.
+        joints: usize,
+    },
     /// The dimensions of the linkage contradict each other.
     #[error("{0}")]
     Impossible(String),
@@ -109,8 +117,8 @@ impl ClosedLoop {
     /// The loop of these links.
     ///
     /// # Errors
-    /// [`LoopError`] for fewer than three links, too many, numbers that are not finite, and links
-    /// that all have no length and no offset but do not turn about one point either.
+    /// [`LoopError`] for fewer than three links, too many, and numbers that are not finite or too
+    /// large.
     pub fn new(links: Vec<Link>) -> Result<Self, LoopError> {
         match links.len() {
             given @ ..3 => return Err(LoopError::FewLinks { given }),
@@ -218,6 +226,17 @@ impl ClosedLoop {
                 range: "finite",
             }),
             None => Ok(()),
+        }
+    }
+
+    /// Refuses the number of a joint, counted from 0, that is not there.
+    fn check_joint(&self, joint: usize) -> Result<(), LoopError> {
+        match joint < self.joints() {
+            true => Ok(()),
+            false => Err(LoopError::Joint {
+                joint: joint.saturating_add(1),
+                joints: self.joints(),
+            }),
         }
     }
 

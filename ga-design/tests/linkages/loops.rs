@@ -192,5 +192,7 @@ fn impossible_linkages_are_told_why() {
         "{message}"
     );
     assert!(open.frames(&[0.0; 3]).is_err());
-    assert!(open.closed(9, 0.3).is_err());
+    let message = open.closed(9, 0.3).unwrap_err().to_string();
+    assert_eq!(message, "there is no joint 10: the loop has 4");
+    assert!(open.closed(0, f64::NAN).is_err());
 }

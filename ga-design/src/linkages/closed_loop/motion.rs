@@ -39,7 +39,7 @@ impl ClosedLoop {
     /// steps. Where the loop cannot go on it ends earlier, with the last state that it reaches.
     ///
     /// # Errors
-    /// As [`frames`](ClosedLoop::frames) for the state and the angle.
+    /// As [`frames`](ClosedLoop::frames) for the state and the angle, and [`LoopError::Joint`].
     pub fn moved(
         &self,
         start: &LoopState,
@@ -48,10 +48,8 @@ impl ClosedLoop {
         steps: usize,
     ) -> Result<Motion, LoopError> {
         self.check(&start.angles)?;
-        let from = start.angles.get(driven).copied().ok_or(LoopError::Angles {
-            given: driven + 1,
-            joints: self.joints(),
-        })?;
+        self.check_joint(driven)?;
+        let from = start.angles.get(driven).copied().unwrap_or_default();
         if !to.is_finite() {
             return Err(LoopError::Number {
                 what: format!("the last angle of joint {}", driven + 1),

@@ -15,31 +15,21 @@ impl ClosedLoop {
     /// The configuration near these angles with one joint, counted from 0, at a given angle.
     ///
     /// # Errors
-    /// [`LoopError::Open`] where the loop does not close from there, and those of
-    /// [`frames`](ClosedLoop::frames).
+    /// [`LoopError::Open`] where the loop does not close from there, [`LoopError::Joint`], and those
+    /// of [`frames`](ClosedLoop::frames).
     pub fn closed_near(
         &self,
         angles: &[f64],
         driven: usize,
         value: f64,
     ) -> Result<LoopState, LoopError> {
-        self.check(angles)?;
+        self.check_joint(driven)?;
         let mut angles = angles.to_vec();
-        let slot = angles.get_mut(driven).ok_or(LoopError::Angles {
-            given: driven + 1,
-            joints: self.joints(),
-        })?;
-        *slot = value;
-        self.check(&angles)?;
-        let state = self.newton(angles, driven);
-        match state.residual <= CLOSED {
-            true => Ok(state),
-            false => Err(LoopError::Open {
-                joint: driven + 1,
-                value,
-                residual: state.residual,
-            }),
+        if let Some(angle) = angles.get_mut(driven) {
+            *angle = value;
         }
+        self.check(&angles)?;
+        closed(self.newton(angles, driven), driven, value)
     }
 
     /// A configuration with one joint, counted from 0, at a given angle, looked for from angles all
@@ -48,33 +38,31 @@ impl ClosedLoop {
     /// # Errors
     /// As [`closed_near`](ClosedLoop::closed_near), with the least that was missing.
     pub fn closed(&self, driven: usize, value: f64) -> Result<LoopState, LoopError> {
-        let mut closest: Option<LoopError> = None;
-        for number in 0..TRIES {
-            let guess: Vec<f64> = (0..self.joints())
-                .map(|joint| {
-                    // An additive recurrence with a step of its own for each joint.
-                    let step = (2.0 + joint as f64).sqrt().fract();
-                    ((0.5 + (number + 1) as f64 * step).fract() - 0.5) * std::f64::consts::TAU
-                })
-                .collect();
-            match self.closed_near(&guess, driven, value) {
-                Err(LoopError::Open { residual, .. }) => {
-                    let best = match closest {
-                        Some(LoopError::Open { residual, .. }) => residual,
-                        _ => f64::INFINITY,
-                    };
-                    if residual < best || closest.is_none() {
-                        closest = Some(LoopError::Open {
-                            joint: driven + 1,
-                            value,
-                            residual,
-                        });
-                    }
-                }
-                other => return other,
+        self.check_joint(driven)?;
+        let guess = |number: usize| -> Vec<f64> {
+            let part = |joint: usize| {
+                // An additive recurrence with a step of its own for each joint.
+                let step = (2.0 + joint as f64).sqrt().fract();
+                (0.5 + number as f64 * step).fract() - 0.5
+            };
+            let angle = |joint: usize| match joint == driven {
+                true => value,
+                false => part(joint) * std::f64::consts::TAU,
+            };
+            (0..self.joints()).map(angle).collect()
+        };
+        self.check(&guess(0))?;
+        let mut closest = self.newton(guess(0), driven);
+        for number in 1..TRIES {
+            if closest.residual <= CLOSED {
+                break;
+            }
+            let state = self.newton(guess(number), driven);
+            if state.residual < closest.residual {
+                closest = state;
             }
         }
-        Err(closest.unwrap_or(LoopError::FewLinks { given: 0 }))
+        closed(closest, driven, value)
     }
 
     /// Steps of least squares, of least length where there are several.
@@ -108,6 +96,18 @@ impl ClosedLoop {
             }
         }
         best
+    }
+}
+
+/// A state that is closed.
+fn closed(state: LoopState, driven: usize, value: f64) -> Result<LoopState, LoopError> {
+    match state.residual <= CLOSED {
+        true => Ok(state),
+        false => Err(LoopError::Open {
+            joint: driven + 1,
+            value,
+            residual: state.residual,
+        }),
     }
 }
 

@@ -183,7 +183,8 @@ impl Descent {
     /// Jᵀ (J Jᵀ + λ)⁻¹ e over the joints that are not held.
     fn change(&self, error: [f64; 6], damping: f64, held: &[bool]) -> Vec<f64> {
         let mut matrix = [[0.0; 6]; 6];
-        for (column, _) in self.columns.iter().zip(held).filter(|(_, held)| !**held) {
+        let free = self.columns.iter().zip(held).filter(|(_, held)| !**held);
+        for (column, _) in free {
             for (row, a) in matrix.iter_mut().zip(column) {
                 for (entry, b) in row.iter_mut().zip(column) {
                     *entry += a * b;
@@ -221,7 +222,8 @@ fn length(motion: Unit<Motor>) -> f64 {
     Frame::promised(motion).origin().position().norm()
 }
 
-/// The solution of a symmetric positive definite system, by Cholesky's L D Lᵀ.
+/// The solution of a symmetric positive definite system, by Cholesky's factors; zero where
+/// rounding has made it neither.
 fn solve(matrix: [[f64; 6]; 6], right: [f64; 6]) -> [f64; 6] {
     nalgebra::Matrix6::from(matrix)
         .cholesky()
